@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_CONSTRICTION_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_CONSTRICTION_H
+
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/Kernel_traits.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// What a constriction chokes: the solid that the surface bounds outwards, the space around it, or part of each.
+enum class Side { OBJECT, COMPLEMENT, MIXED };
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// A closed geodesic of a triangle mesh: straight in the planar unfolding of the faces that it crosses, with side
+/// angles of at least pi at each vertex that it passes through.
+///
+/// The curve is combinatorial: vertices and halfedges of the mesh. Positions are computed from it on demand. Copies
+/// share their data.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+template <class TriangleMesh>
+class Constriction
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+
+public:
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+
+  /// A face and barycentric coordinates with respect to `source(h)`, `target(h)` and `target(next(h))` of its halfedge
+  /// `h`, as in Polygon Mesh Processing and Surface Mesh Shortest Paths.
+  typedef std::pair<face_descriptor, std::array<double, 3> > Face_location;
+
+  /// One point of the curve: a vertex that it passes through, or the crossing of a halfedge from its face to the
+  /// opposite face, at `source + parameter * (target - source)`.
+  struct Location
+  {
+    bool is_pivot;
+    vertex_descriptor vertex;     ///< if `is_pivot`
+    halfedge_descriptor halfedge; ///< if not `is_pivot`
+    double parameter;             ///< in [0, 1]; 0 if `is_pivot`
+  };
+
+  /// A vertex that the curve passes through.
+  struct Pivot
+  {
+    vertex_descriptor vertex;
+    std::size_t location; ///< its place in `locations()`
+    double left_angle;    ///< radians, along the surface, on the left of the curve's direction
+    double right_angle;   ///< radians, along the surface, on the right of the curve's direction
+  };
+
+  /// A seed curve that led to the constriction, in vertices of the input mesh. A vertex of T^level that several input
+  /// vertices have been merged into is given by the input vertex whose descriptor it kept.
+  struct Seed
+  {
+    std::size_t level;
+    std::vector<vertex_descriptor> vertices;
+    Seed_origin origin;
+  };
+
+  /// Everything that is known of the curve.
+  struct Data
+  {
+    std::vector<Location> locations;
+    std::vector<Pivot> pivots;
+    std::vector<Seed> seeds;
+    double length = 0;
+    double flat_band_width = 0;
+    bool separating = false;
+    std::array<double, 2> areas = {0, 0};
+    Side side = Side::MIXED;
+  };
+
+  Constriction() : m_data(std::make_shared<const Data>()) {}
+  explicit Constriction(Data data) : m_data(std::make_shared<const Data>(std::move(data))) {}
+
+  /// the closed sequence of points; the first is not repeated, any two consecutive ones lie in one face
+  const std::vector<Location>& locations() const { return m_data->locations; }
+
+  /// the vertices that the curve passes through, in the order of `locations()`
+  const std::vector<Pivot>& pivots() const { return m_data->pivots; }
+
+  /// the seeds that led to this curve, the first to arrive first
+  const std::vector<Seed>& seeds() const { return m_data->seeds; }
+
+  /// in the unit of the mesh's coordinates
+  double length() const { return m_data->length; }
+
+  /// the width of the flat band of parallel copies of which this is the canonical one; 0 if there is none
+  double flat_band_width() const { return m_data->flat_band_width; }
+
+  /// whether the connected component of the mesh falls apart when it is cut along the curve
+  bool is_separating() const { return m_data->separating; }
+
+  /// areas on the left and on the right of the curve within its connected component. Of a non-separating curve both
+  /// are the area of the component.
+  const std::array<double, 2>& areas() const { return m_data->areas; }
+
+  /// length^2 / (4 pi A), with A the smaller of the two areas
+  double isoperimetric_ratio() const
+  {
+    const double area = (std::min)(m_data->areas[0], m_data->areas[1]);
+    return m_data->length * m_data->length / (4 * CGAL_PI * area);
+  }
+
+  Side side() const { return m_data->side; }
+
+  /// writes the points of the curve, in the order of `locations()`, to `out`.
+  ///
+  /// \param tm the mesh that the constriction was computed on
+  /// \param vpm its vertex point map
+  /// \param out an output iterator that takes the value type of `vpm`
+  /// \cost linear in the number of locations
+  template <class VertexPointMap, class OutputIterator>
+  OutputIterator points(const TriangleMesh& tm, VertexPointMap vpm, OutputIterator out) const
+  {
+    typedef typename boost::property_traits<VertexPointMap>::value_type Point;
+    typedef typename Kernel_traits<Point>::Kernel::FT FT;
+    for(const Location& l : m_data->locations)
+    {
+      if(l.is_pivot)
+        *out++ = Point(get(vpm, l.vertex));
+      else
+      {
+        const Point& p = get(vpm, source(l.halfedge, tm));
+        const Point& q = get(vpm, target(l.halfedge, tm));
+        *out++ = Point(p + FT(l.parameter) * (q - p));
+      }
+    }
+    return out;
+  }
+
+  /// as above, with the mesh's own points.
+  template <class OutputIterator>
+  OutputIterator points(const TriangleMesh& tm, OutputIterator out) const
+  {
+    return points(tm, get(CGAL::vertex_point, tm), out);
+  }
+
+  /// writes the locations of the curve, in the order of `locations()`, to `out` as `Face_location`s. The face of a
+  /// crossing is the one that the curve comes from.
+  template <class OutputIterator>
+  OutputIterator face_locations(const TriangleMesh& tm, OutputIterator out) const
+  {
+    for(const Location& l : m_data->locations)
+    {
+      const halfedge_descriptor h = l.is_pivot ? halfedge(l.vertex, tm) : l.halfedge;
+      const face_descriptor f = face(h, tm);
+      Face_location location(f, {0, 0, 0});
+      halfedge_descriptor hf = halfedge(f, tm);
+      for(int i = 0; i < 3; ++i, hf = next(hf, tm))
+      {
+        // a vertex is the target of its halfedge h, a crossing lies between the source and the target of h
+        if(l.is_pivot)
+        {
+          if(source(hf, tm) == l.vertex)
+            location.second[i] = 1;
+        }
+        else if(hf == h)
+          location.second[i] = 1 - l.parameter;
+        else if(hf == next(h, tm))
+          location.second[i] = l.parameter;
+      }
+      *out++ = location;
+    }
+    return out;
+  }
+
+private:
+  std::shared_ptr<const Data> m_data;
+};
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_CONSTRICTION_H

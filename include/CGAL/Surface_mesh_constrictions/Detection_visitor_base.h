@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_DETECTION_VISITOR_BASE_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_DETECTION_VISITOR_BASE_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// What became of the seed curves. Every seed ends in exactly one of `degenerate`, `not_simple`, `merged` or as the
+/// first seed of a returned curve.
+struct Detection_statistics
+{
+  std::size_t collapses = 0;    ///< edge collapses of the simplification
+  std::size_t seeds = 0;        ///< seed curves
+  std::size_t degenerate = 0;   ///< seeds that shortened to a point
+  std::size_t not_simple = 0;   ///< seeds that ended in a curve that crosses or touches itself
+  std::size_t merged = 0;       ///< seeds that ended in a curve that another seed had found
+  std::size_t leaky_bands = 0;  ///< times a curve slipped out of a flat band that leaks, and went on shortening
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// The stages of `detect_constrictions()`, in order.
+enum class Detection_stage { SIMPLIFICATION, REFINEMENT, TIGHTENING };
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Visitor of `detect_constrictions()` whose callbacks do nothing: derive from it and hide what you need.
+/// The visitor is copied: let it point to what it changes.
+struct Detection_visitor_base
+{
+  /// called when a stage begins that takes `steps` steps: edge collapses expected, levels, or curves
+  void on_stage_begin(Detection_stage /* stage */, std::size_t /* steps */) const {}
+
+  /// called after step number `done` of the stage under way (1, 2, ...)
+  void on_step(Detection_stage /* stage */, std::size_t /* done */) const {}
+
+  /// called when a stage ends
+  void on_stage_end(Detection_stage /* stage */) const {}
+
+  /// called once, before the first curve is written to the output
+  void on_end(const Detection_statistics& /* statistics */) const {}
+};
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_DETECTION_VISITOR_BASE_H
