@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_H
+
+/// \file
+/// Everything that users name.
+
+#include <CGAL/Surface_mesh_constrictions/Closed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_preserving_placement.h>
+#include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_H

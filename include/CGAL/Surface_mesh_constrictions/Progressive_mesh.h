@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_PROGRESSIVE_MESH_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_PROGRESSIVE_MESH_H
+
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// An edge collapse: the vertex `removed` is merged into its neighbour `kept`, which moves to `point`.
+struct Edge_collapse
+{
+  Index removed;
+  Index kept;
+  Exact_predicates_inexact_constructions_kernel::Point_3 point;
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// A closed triangle mesh T^0 and a sequence of edge collapses T^0 -> T^1 -> ... -> T^n, with one of the surfaces
+/// current, its *level*. Going a level down (a vertex split) restores connectivity and positions bit for bit, and ids
+/// of vertices, halfedges and faces mean the same at every level.
+///
+/// What a collapse takes out of the surface keeps its ids and its own pointers, and the split links it in again, as in
+/// dancing links. A level costs O(degree) to go up and O(degree) to go down. Memory: 24 bytes a face and 28 bytes a
+/// vertex for T^0, 32 bytes a collapse for the sequence and 12 for the lifetimes of one vertex and two faces.
+///
+/// Face `f` has the halfedges `3 f`, `3 f + 1` and `3 f + 2`, counterclockwise.
+class Progressive_mesh
+{
+public:
+  typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+
+  /// The elements that a vertex split put in, or a collapse took out: the edge from `removed` to `kept` and the two
+  /// faces at it. `left` is the halfedge from `removed` to `kept`, `right` its opposite; each is the first of its face.
+  struct Split
+  {
+    Index removed, kept;
+    Index left, right;
+  };
+
+  /// \param table the connectivity of T^0
+  /// \param points the position of each of its vertices
+  Progressive_mesh(internal::Corner_table table, std::vector<Point> points)
+    : m_table(std::move(table)),
+      m_points(std::move(points)),
+      m_vertex_end(m_points.size(), null_index),
+      m_face_end(m_table.source.size() / 3, null_index)
+  {}
+
+  /// \name Levels
+  /// @{
+
+  /// the number k of collapses that have been applied: the current surface is T^k
+  std::size_t level() const { return m_level; }
+
+  /// the number n of collapses of the sequence
+  std::size_t number_of_collapses() const { return m_records.size(); }
+
+  void reserve(std::size_t collapses) { m_records.reserve(collapses); }
+
+  /// appends a collapse to the sequence and applies it.
+  /// \pre `level() == number_of_collapses()`, `removed` and `kept` are joined by an edge whose collapse keeps the
+  /// surface a 2-manifold (the link condition)
+  void append_collapse(const Edge_collapse& c)
+  {
+    CGAL_precondition(m_level == m_records.size());
+    const Index h = halfedge(c.removed, c.kept);
+    CGAL_precondition(h != null_index);
+    m_records.push_back(Record{c.point, h, 0});
+    m_vertex_end[c.removed] = m_face_end[face(h)] = m_face_end[face(opposite(h))] = static_cast<Index>(m_level);
+    collapse();
+  }
+
+  /// goes from T^k to T^(k+1).
+  /// \pre `level() < number_of_collapses()`
+  Split collapse()
+  {
+    CGAL_precondition(m_level < m_records.size());
+    Record& record = m_records[m_level++];
+    const Split s = split_of(record);
+    const Sides x = sides(s);
+
+    // the faces around `removed`, but the two that go, now have a corner at `kept`
+    for(Index r = x.b; r != next(s.right); r = ccw(r))
+      m_table.source[r] = s.kept;
+
+    record.outgoing = 0;
+    leave(s.kept, next(s.left), x.b, 1u, record);
+    leave(s.kept, s.right, x.b, 2u, record);
+    leave(source(prev(s.left)), prev(s.left), x.a, 4u, record);
+    leave(source(prev(s.right)), prev(s.right), x.c, 8u, record);
+
+    glue(x.a, x.b);
+    glue(x.c, x.d);
+    std::swap(m_points[s.kept], record.point);
+    return s;
+  }
+
+  /// goes from T^k to T^(k-1).
+  /// \pre `level() > 0`
+  Split split()
+  {
+    CGAL_precondition(m_level > 0);
+    Record& record = m_records[--m_level];
+    const Split s = split_of(record);
+    const Sides x = sides(s);
+
+    std::swap(m_points[s.kept], record.point);
+    glue(x.d, prev(s.right));
+    glue(x.c, next(s.right));
+    glue(x.b, prev(s.left));
+    glue(x.a, next(s.left));
+
+    if(record.outgoing & 8u) m_table.outgoing[source(prev(s.right))] = prev(s.right);
+    if(record.outgoing & 4u) m_table.outgoing[source(prev(s.left))] = prev(s.left);
+    if(record.outgoing & 2u) m_table.outgoing[s.kept] = s.right;
+    if(record.outgoing & 1u) m_table.outgoing[s.kept] = next(s.left);
+
+    for(Index r = x.b; r != next(s.right); r = ccw(r))
+      m_table.source[r] = s.removed;
+    return s;
+  }
+
+  /// goes to T^k, one collapse or split after the other.
+  void go_to_level(std::size_t k)
+  {
+    CGAL_precondition(k <= m_records.size());
+    while(m_level < k)
+      collapse();
+    while(m_level > k)
+      split();
+  }
+
+  /// what the next `collapse()` will take out.
+  Split next_collapse() const { return split_of(m_records[m_level]); }
+
+  /// what the next `split()` will put in.
+  Split next_split() const { return split_of(m_records[m_level - 1]); }
+
+  /// @}
+  /// \name Elements
+  /// Ids run from 0 to the number of elements of T^0; not all are part of the current surface.
+  /// @{
+
+  std::size_t number_of_vertex_ids() const { return m_points.size(); }
+  std::size_t number_of_face_ids() const { return m_face_end.size(); }
+  std::size_t number_of_halfedge_ids() const { return m_table.source.size(); }
+
+  /// whether `v` is a vertex of the current surface that is not isolated
+  bool is_vertex(Index v) const { return m_vertex_end[v] >= m_level && m_table.outgoing[v] != null_index; }
+  /// whether `f` is a face of the current surface
+  bool is_face(Index f) const { return m_face_end[f] >= m_level; }
+
+  /// the position of a vertex on the current surface
+  const Point& point(Index v) const { return m_points[v]; }
+
+  /// @}
+  /// \name Connectivity
+  /// Of elements of the current surface.
+  /// @{
+
+  static Index next(Index h) { return internal::Corner_table::next(h); }
+  static Index prev(Index h) { return internal::Corner_table::prev(h); }
+  static Index face(Index h) { return h / 3; }
+  Index opposite(Index h) const { return m_table.opposite[h]; }
+  Index source(Index h) const { return m_table.source[h]; }
+  Index target(Index h) const { return m_table.source[next(h)]; }
+
+  /// the same for both halfedges of an edge
+  Index edge(Index h) const { return (std::min)(h, opposite(h)); }
+
+  /// a halfedge out of `v`
+  Index outgoing(Index v) const { return m_table.outgoing[v]; }
+
+  /// the halfedge out of `source(h)` that follows `h` counterclockwise
+  Index ccw(Index h) const { return opposite(prev(h)); }
+
+  /// the halfedge out of `source(h)` that follows `h` clockwise
+  Index cw(Index h) const { return next(opposite(h)); }
+
+  /// the halfedge from `u` to `v`, or `null_index`
+  Index halfedge(Index u, Index v) const
+  {
+    const Index begin = outgoing(u);
+    Index h = begin;
+    do {
+      if(target(h) == v)
+        return h;
+      h = ccw(h);
+    } while(h != begin);
+    return null_index;
+  }
+
+  /// @}
+
+private:
+  // While the collapse is undone, `point` is where the kept vertex will move; while it is applied, where it was.
+  // The bits of `outgoing` tell which outgoing halfedges of vertices went out with the two faces.
+  struct Record
+  {
+    Point point;
+    Index halfedge;
+    Index outgoing;
+  };
+
+  // The outer sides of the four edges of the two faces: a faces next(left), b faces prev(left), c faces next(right)
+  // and d faces prev(right).
+  struct Sides
+  {
+    Index a, b, c, d;
+  };
+
+  Split split_of(const Record& r) const
+  {
+    const Index right = opposite(r.halfedge);
+    return Split{source(r.halfedge), source(right), r.halfedge, right};
+  }
+
+  Sides sides(const Split& s) const
+  {
+    return Sides{opposite(next(s.left)), opposite(prev(s.left)), opposite(next(s.right)), opposite(prev(s.right))};
+  }
+
+  void glue(Index h, Index o)
+  {
+    m_table.opposite[h] = o;
+    m_table.opposite[o] = h;
+  }
+
+  // If the outgoing halfedge of v is the one that leaves, takes `instead` and notes it.
+  void leave(Index v, Index leaving, Index instead, Index bit, Record& record)
+  {
+    if(m_table.outgoing[v] != leaving)
+      return;
+    m_table.outgoing[v] = instead;
+    record.outgoing |= bit;
+  }
+
+  internal::Corner_table m_table;
+  std::vector<Point> m_points;
+  std::vector<Record> m_records;
+  std::vector<Index> m_vertex_end; // the last level that has the vertex, null_index if all have
+  std::vector<Index> m_face_end;   // the last level that has the face, null_index if all have
+  std::size_t m_level = 0;
+};
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_PROGRESSIVE_MESH_H

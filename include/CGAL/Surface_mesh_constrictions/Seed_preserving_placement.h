@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_SEED_PRESERVING_PLACEMENT_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_SEED_PRESERVING_PLACEMENT_H
+
+#include <CGAL/Surface_mesh_constrictions/internal/non_face_triangles.h>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Placement that gives no position, and so forbids the collapse, for the edges of seed curves (Section 4.4 of the
+/// paper), and asks another placement for all other edges.
+///
+/// The edges of seeds are recognised by their non-face triangle, not by a mark: a mark would be lost when the edge
+/// merges with a neighbour, while the triangle lives on with the merged vertex.
+///
+/// \cgalModels `GetPlacement`
+///
+/// \tparam BasePlacement a model of `GetPlacement`
+template <class BasePlacement>
+class Seed_preserving_placement
+  : private BasePlacement
+{
+public:
+  explicit Seed_preserving_placement(const BasePlacement& base = BasePlacement()) : BasePlacement(base) {}
+
+  /// none for an edge of a non-face triangle, otherwise what the base placement says.
+  /// \cost quadratic in the degree of the edge's ends, and that of the base placement
+  template <class Profile>
+  auto operator()(const Profile& profile) const
+  {
+    typedef decltype(static_cast<const BasePlacement&>(*this)(profile)) Optional_point;
+    bool on_seed = false;
+    internal::for_each_apex_of_non_face_triangle(profile, [&on_seed](const auto&) {
+      on_seed = true;
+      return false;
+    });
+    return on_seed ? Optional_point() : static_cast<const BasePlacement&>(*this)(profile);
+  }
+};
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_SEED_PRESERVING_PLACEMENT_H

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_DETECT_CONSTRICTIONS_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_DETECT_CONSTRICTIONS_H
+
+#include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify.h>
+#include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Forwards the progress of the refinement to a detection visitor.
+template <class Visitor>
+struct Refinement_progress
+  : public Refinement_visitor_base
+{
+  const Visitor& visitor;
+  std::size_t levels;
+
+  Refinement_progress(const Visitor& visitor, std::size_t levels) : visitor(visitor), levels(levels) {}
+  void on_level(std::size_t level)
+  {
+    if(level < levels)
+      visitor.on_step(Detection_stage::REFINEMENT, levels - level);
+  }
+};
+
+// Builds the progressive mesh from a record and finds the seeds that are asked for.
+inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detection detection, bool first_only,
+                                      Progressive_mesh& pm)
+{
+  std::vector<Seed_curve> seeds;
+  if(detection == Seed_detection::ON_APPEARANCE)
+    non_face_triangles(pm, std::back_inserter(seeds));
+  else
+    seeds = record.refused_seeds;
+  pm.reserve(record.collapses.size());
+  for(const Edge_collapse& c : record.collapses)
+  {
+    if(first_only && !seeds.empty() && seeds.front().level == pm.level())
+      break;
+    if(detection == Seed_detection::ON_APPEARANCE)
+      non_face_triangles_of_collapse(pm, c.removed, c.kept, std::back_inserter(seeds));
+    pm.append_collapse(c);
+  }
+  if(first_only && seeds.size() > 1)
+    seeds.resize(1);
+  return seeds;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// finds constrictions of a closed triangle mesh: simple closed curves on it whose length is locally minimal.
+///
+/// The mesh is copied and the copy simplified by edge collapses; seed curves are noticed on the way; the collapses are
+/// undone one by one and the curves carried along; on the input mesh they are tightened until they are closed
+/// geodesics. Degenerate curves are dropped and equal ones merged. This is the method of Hetroy and Attali, *Detection
+/// of constrictions on closed polyhedral surfaces* (2003). The function is the composition of the package's stages;
+/// see the user manual.
+///
+/// The same input gives the same output. `tm` is not changed.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam OutputIterator takes `Constriction<TriangleMesh>`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tm a closed triangle mesh, any genus, any number of connected components. Faces of area zero and isolated
+///        vertices are allowed, edges of length zero are not.
+/// \param out the constrictions, shortest first
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tm`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` whose value type is a 3D point; other than double
+///                    coordinates are rounded to the nearest double for the search}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_index_map}
+///     \cgalParamDescription{a property map associating to each vertex of `tm` a unique index}
+///     \cgalParamType{a class model of `ReadablePropertyMap`}
+///     \cgalParamDefault{an automatically indexed internal map}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{get_cost}
+///     \cgalParamDescription{the cost of an edge collapse; give `get_placement` with it}
+///     \cgalParamType{a model of `GetCost` for edge profiles of `Simplification_mesh`}
+///     \cgalParamDefault{`GarlandHeckbert_plane_policies`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{get_placement}
+///     \cgalParamDescription{the position of the vertex that an edge is collapsed to; give `get_cost` with it}
+///     \cgalParamType{a model of `GetPlacement` for edge profiles of `Simplification_mesh`}
+///     \cgalParamDefault{`GarlandHeckbert_plane_policies`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{seed_detection}
+///     \cgalParamDescription{when a non-face triangle is noticed}
+///     \cgalParamType{`Seed_detection`}
+///     \cgalParamDefault{`Seed_detection::ON_APPEARANCE`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{tightening_schedule}
+///     \cgalParamDescription{whether curves are tightened at every level or on the input only}
+///     \cgalParamType{`Tightening_schedule`}
+///     \cgalParamDefault{`Tightening_schedule::EVERY_LEVEL`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{first_constriction_only}
+///     \cgalParamDescription{whether to stop at the first seed curve, and follow that one only. It may degenerate: then
+///                           the output is empty.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{notified of the progress and of what became of the seeds}
+///     \cgalParamType{a class like `Detection_visitor_base`; it is copied}
+///     \cgalParamDefault{`Detection_visitor_base`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// The last three before `visitor` are functions of `CGAL::Surface_mesh_constrictions::parameters`. CGAL's list of names
+/// that can be chained is closed, so they start a chain, `tightening_schedule(t).visitor(v)`, or take one as their second
+/// argument, `tightening_schedule(t, CGAL::parameters::visitor(v))`.
+///
+/// \throws Invalid_input for a mesh that cannot be used; it says what is wrong and where
+/// \cost that of the simplification, O(n log n) for n faces, plus O(n), plus for each curve and each vertex split whose
+///       star it passes through, linear in the lengths of the strips between the nearest pivots
+///
+/// \sa `tighten_closed_curve()`
+template <class TriangleMesh, class OutputIterator,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
+                                    const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(CGAL::vertex_point, tm));
+  const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  const auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Detection_visitor_base());
+  const Seed_detection detection = choose_parameter(get_parameter(np, internal_np::seed_detection),
+                                                    Seed_detection::ON_APPEARANCE);
+  const Tightening_schedule schedule = choose_parameter(get_parameter(np, internal_np::tightening_schedule),
+                                                        Tightening_schedule::EVERY_LEVEL);
+  const bool first_only = choose_parameter(get_parameter(np, internal_np::first_constriction_only), false);
+
+  Detection_statistics statistics;
+  internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
+  const std::size_t expected_collapses = imported.points.size();
+
+  visitor.on_stage_begin(Detection_stage::SIMPLIFICATION, expected_collapses);
+  const Collapse_record record =
+      internal::simplify(imported, detection == Seed_detection::ON_REFUSED_COLLAPSE, first_only, visitor, np);
+  visitor.on_stage_end(Detection_stage::SIMPLIFICATION);
+
+  Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
+  const std::vector<Seed_curve> seeds = internal::replay(record, detection, first_only, pm);
+  statistics.collapses = record.collapses.size();
+  statistics.seeds = seeds.size();
+
+  visitor.on_stage_begin(Detection_stage::REFINEMENT, pm.number_of_collapses());
+  std::vector<Refined_curve> refined;
+  internal::Refinement_progress<decltype(visitor)> progress(visitor, pm.number_of_collapses());
+  refine_seed_curves(pm, seeds, schedule, std::back_inserter(refined), progress);
+  visitor.on_stage_end(Detection_stage::REFINEMENT);
+
+  visitor.on_stage_begin(Detection_stage::TIGHTENING, refined.size());
+  internal::Curve_network network(pm, false);
+  internal::Curve_settler settler(network);
+  internal::Distinct_curves distinct(network);
+  std::vector<std::pair<Index, double> > found; // curve and width of its flat band
+  for(std::size_t i = 0; i < refined.size(); ++i)
+  {
+    const Index c = network.add_curve(i);
+    std::vector<internal::Arc> arcs = internal::arcs_of_curve(pm, refined[i].curve);
+    network.set_arcs(c, arcs);
+    switch(settler.settle(c))
+    {
+    case Tightening_verdict::DEGENERATE:
+      statistics.degenerate += refined[i].seeds.size();
+      break;
+    case Tightening_verdict::NOT_SIMPLE:
+      statistics.not_simple += refined[i].seeds.size();
+      network.remove(c);
+      break;
+    case Tightening_verdict::CLOSED_GEODESIC:
+      if(distinct.insert(c))
+        found.emplace_back(c, settler.band_width());
+      break;
+    }
+    visitor.on_step(Detection_stage::TIGHTENING, i + 1);
+  }
+  statistics.leaky_bands = settler.number_of_leaks();
+
+  internal::Constriction_maker<TriangleMesh> maker(imported, pm);
+  std::vector<Constriction<TriangleMesh> > constrictions;
+  for(const std::pair<Index, double>& f : found)
+  {
+    std::vector<Seed_curve> its_seeds;
+    for(std::size_t i : network.curve(f.first).seeds)
+      for(std::size_t s : refined[i].seeds)
+        its_seeds.push_back(seeds[s]);
+    statistics.merged += its_seeds.size() - 1;
+    constrictions.push_back(maker.make(network, f.first, its_seeds, f.second));
+  }
+  std::stable_sort(constrictions.begin(), constrictions.end(),
+                   [](const auto& a, const auto& b) { return a.length() < b.length(); });
+  visitor.on_stage_end(Detection_stage::TIGHTENING);
+
+  visitor.on_end(statistics);
+  return std::move(constrictions.begin(), constrictions.end(), out);
+}
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_DETECT_CONSTRICTIONS_H

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CURVE_SETTLER_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CURVE_SETTLER_H
+
+#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Flat_band.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// What a closed curve becomes when it is tightened.
+enum class Tightening_verdict
+{
+  CLOSED_GEODESIC, ///< a simple closed geodesic that no flat band leaks away
+  DEGENERATE,      ///< a point
+  NOT_SIMPLE       ///< a closed geodesic that crosses or touches itself
+};
+
+namespace internal {
+
+// Throws Invalid_input if `path` is not a closed path of edges.
+inline void check_loop(const Progressive_mesh& pm, const std::vector<Index>& path, std::size_t number)
+{
+  const std::string name = "loop " + std::to_string(number);
+  if(path.size() < 3)
+    throw Invalid_input(Input_defect::INVALID_LOOP, number,
+                        name + " has " + std::to_string(path.size()) + " vertices; a closed path has at least 3");
+  for(std::size_t i = 0; i < path.size(); ++i)
+  {
+    const Index u = path[i], v = path[(i + 1) % path.size()];
+    if(!pm.is_vertex(u) || pm.halfedge(u, v) == null_index)
+      throw Invalid_input(Input_defect::INVALID_LOOP, number,
+                          name + " is not a path of mesh edges: no edge joins vertices " + std::to_string(u) +
+                          " and " + std::to_string(v));
+  }
+}
+
+// Tightens curves of a network to what they are returned as: closed geodesics, canonical in their flat band.
+class Curve_settler
+{
+public:
+  explicit Curve_settler(Curve_network& network)
+    : m_network(network), m_tightener(network, Length_unit(network.surface()))
+  {}
+
+  Tightening_verdict settle(Index c)
+  {
+    m_tightener.enqueue_all(c);
+    m_tightener.run();
+    const Band_report band = settle_flat_band(m_network, c, m_tightener);
+    m_band_width = band.width;
+    m_leaks += band.leaks;
+    if(m_network.is_empty(c))
+      return Tightening_verdict::DEGENERATE;
+    return is_simple(m_network.surface(), arcs_of_curve(m_network, c)) ? Tightening_verdict::CLOSED_GEODESIC
+                                                                       : Tightening_verdict::NOT_SIMPLE;
+  }
+
+  // of the flat band of the last curve; 0 if it has none
+  double band_width() const { return m_band_width; }
+
+  // how often a curve slipped out of a flat band
+  std::size_t number_of_leaks() const { return m_leaks; }
+
+private:
+  Curve_network& m_network;
+  Tightener m_tightener;
+  double m_band_width = 0;
+  std::size_t m_leaks = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CURVE_SETTLER_H

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_FLAT_BAND_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_FLAT_BAND_H
+
+#include <CGAL/Surface_mesh_constrictions/internal/Closed_strip.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// A side angle this close to pi, in radians, belongs to a flat band: the parallel copies of a closed geodesic.
+constexpr double flat_tolerance = 1e-9;
+
+inline Turn other_side(Turn side) { return side == Turn::LEFT ? Turn::RIGHT : Turn::LEFT; }
+
+// The least and the greatest angle that a closed curve makes on one side.
+inline std::pair<double, double> side_angle_range(const Progressive_mesh& pm, const std::vector<Arc>& curve, Turn side)
+{
+  std::pair<double, double> range(4 * CGAL_PI * static_cast<double>(pm.number_of_vertex_ids()), 0);
+  for(std::size_t i = 0; i < curve.size(); ++i)
+  {
+    const Side_angles a = side_angles(pm, curve[i], curve[(i + 1) % curve.size()]);
+    const double angle = side == Turn::LEFT ? a.left : a.right;
+    range.first = (std::min)(range.first, angle);
+    range.second = (std::max)(range.second, angle);
+  }
+  return range;
+}
+
+inline bool is_flat_side(const Progressive_mesh& pm, const std::vector<Arc>& curve, Turn side)
+{
+  return side_angle_range(pm, curve, side).second <= CGAL_PI + flat_tolerance;
+}
+
+inline Index smallest_pivot(const std::vector<Arc>& curve)
+{
+  Index v = null_index;
+  for(const Arc& a : curve)
+    v = (std::min)(v, a.from);
+  return v;
+}
+
+// One end of a flat band: the parallel copy that cannot be moved further.
+struct Band_end
+{
+  std::vector<Arc> curve;
+  double width; // from the curve that the band was followed from
+  bool leaks;   // the curve gets shorter beyond the end
+};
+
+// Moves a closed geodesic through the flat band on one of its sides to the end of the band. A band that closes in
+// itself, around a flat torus, ends at the copy with the smallest pivot.
+// Linear in the number of faces of the band times the number of vertices of total angle 2 pi in it.
+inline Band_end follow_flat_band(const Progressive_mesh& pm, std::vector<Arc> curve, Turn side, String_puller& puller)
+{
+  double width = 0, length = 0;
+  for(const Arc& a : curve)
+    length += a.length;
+  std::set<Index> visited;
+  std::vector<Arc> smallest = curve;
+  while(is_flat_side(pm, curve, side))
+  {
+    Strip faces;
+    for(std::size_t i = 0; i < curve.size(); ++i)
+    {
+      faces.insert(faces.end(), curve[i].crossings.begin(), curve[i].crossings.end());
+      append_fan(pm, curve[i], curve[(i + 1) % curve.size()], side, faces);
+    }
+    const Closed_strip strip(pm, std::move(faces));
+    if(strip.is_degenerate())
+      break;
+    const Closed_strip::Corner end = strip.foremost_corner(side);
+    std::vector<Arc> moved = strip.shortest_loop(end, puller);
+    double moved_length = 0;
+    for(const Arc& a : moved)
+      moved_length += a.length;
+    if(moved.empty() || std::abs(moved_length - length) > flat_tolerance * length)
+      break;
+    if(!visited.insert(end.vertex).second)
+    {
+      curve = smallest;
+      break;
+    }
+    width += std::abs(strip.height(end, strip.foremost_corner(other_side(side))));
+    curve = std::move(moved);
+    if(smallest_pivot(curve) < smallest_pivot(smallest))
+      smallest = curve;
+    if(side_angle_range(pm, curve, side).first < CGAL_PI - flat_tolerance)
+      return Band_end{std::move(curve), width, true};
+  }
+  return Band_end{std::move(curve), width, false};
+}
+
+// What settle_flat_band() found.
+struct Band_report
+{
+  double width = 0;      // of the band that holds the curve; 0 if there is none
+  std::size_t leaks = 0; // bands that the curve slipped out of
+};
+
+// Replaces a tight curve in a flat band by the band's canonical copy: of the two ends that hold, the one with the
+// smaller vertex. If an end leaks, the curve slips over it and is tightened again; it may degenerate.
+inline Band_report settle_flat_band(Curve_network& network, Index c, Tightener& tightener)
+{
+  const Progressive_mesh& pm = network.surface();
+  Band_report report;
+  while(!network.is_empty(c))
+  {
+    std::vector<Arc> curve;
+    network.for_each_arc(c, [&](Index id) { curve.push_back(network.arc(id)); });
+    if(!is_flat_side(pm, curve, Turn::LEFT) && !is_flat_side(pm, curve, Turn::RIGHT))
+      return report;
+
+    Band_end left = follow_flat_band(pm, curve, Turn::LEFT, tightener.puller());
+    Band_end right = follow_flat_band(pm, curve, Turn::RIGHT, tightener.puller());
+    if(!left.leaks && !right.leaks)
+    {
+      report.width = left.width + right.width;
+      network.set_arcs(c, smallest_pivot(left.curve) <= smallest_pivot(right.curve) ? left.curve : right.curve);
+      return report;
+    }
+    const double length = network.length(c);
+    network.set_arcs(c, left.leaks ? left.curve : right.curve);
+    tightener.enqueue_all(c);
+    tightener.run();
+    if(!network.is_empty(c) && network.length(c) >= length * (1 - 1e-14))
+      return report; // no more than rounding made the end seem to leak
+    ++report.leaks;
+  }
+  return report;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_FLAT_BAND_H

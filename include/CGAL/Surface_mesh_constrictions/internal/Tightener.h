@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTENER_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTENER_H
+
+#include <CGAL/Surface_mesh_constrictions/internal/Closed_strip.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// A side angle this close to pi, in radians, is taken to be pi.
+constexpr double angle_tolerance = 1e-10;
+
+// Lengths as whole multiples of a unit far below the resolution that matters. A step of the tightening is accepted if
+// the sum of these integers over the arcs that it replaces goes down. Equal arcs have equal integers, so no curve comes
+// up twice, and a tightening ends whatever rounding does.
+class Length_unit
+{
+public:
+  explicit Length_unit(const Progressive_mesh& pm)
+  {
+    double diagonal = 0;
+    for(int i = 0; i < 3; ++i)
+    {
+      double low = 0, high = 0;
+      for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+      {
+        const double x = pm.point(v)[i];
+        low = v == 0 ? x : (std::min)(low, x);
+        high = v == 0 ? x : (std::max)(high, x);
+      }
+      diagonal = std::hypot(diagonal, high - low);
+    }
+    m_scale = diagonal > 0 ? std::ldexp(1.0, 53) / diagonal : 1;
+  }
+
+  std::int64_t operator()(const Arc& a) const
+  {
+    return static_cast<std::int64_t>((std::min)(a.length * m_scale, 1e18));
+  }
+
+  std::int64_t operator()(const std::vector<Arc>& arcs) const
+  {
+    std::int64_t sum = 0;
+    for(const Arc& a : arcs)
+      sum += (*this)(a);
+    return sum;
+  }
+
+private:
+  double m_scale;
+};
+
+// Tightens curves of a network: as long as a pivot has a side angle below pi, the curve is led around that side of the
+// pivot and pulled straight between the neighbouring pivots.
+class Tightener
+{
+public:
+  Tightener(Curve_network& network, const Length_unit& unit)
+    : m_network(network), m_unit(unit), m_puller(network.surface())
+  {}
+
+  String_puller& puller() { return m_puller; }
+
+  // Notes that the pivot at which an arc starts has to be looked at.
+  void enqueue(Index arc)
+  {
+    Curve_network::Node& n = m_network.node(arc);
+    if(n.queued)
+      return;
+    n.queued = true;
+    m_queue.emplace_back(arc, n.generation);
+  }
+
+  void enqueue_all(Index curve)
+  {
+    m_network.for_each_arc(curve, [this](Index arc) { enqueue(arc); });
+  }
+
+  // Works until no noted pivot can be improved. A curve that degenerates is left without arcs.
+  void run()
+  {
+    while(!m_queue.empty())
+    {
+      const std::pair<Index, Index> entry = m_queue.front();
+      m_queue.pop_front();
+      Curve_network::Node& n = m_network.node(entry.first);
+      if(n.curve == null_index || n.generation != entry.second)
+        continue;
+      n.queued = false;
+      improve(entry.first);
+    }
+  }
+
+private:
+  void improve(Index arc)
+  {
+    const Side_angles angles =
+        side_angles(m_network.surface(), m_network.arc(m_network.previous(arc)), m_network.arc(arc));
+    const Turn smaller = angles.left <= angles.right ? Turn::LEFT : Turn::RIGHT;
+    const double straight = CGAL_PI - angle_tolerance;
+    if((std::min)(angles.left, angles.right) < straight && reroute(arc, smaller))
+      return;
+    if((std::max)(angles.left, angles.right) < straight)
+      reroute(arc, smaller == Turn::LEFT ? Turn::RIGHT : Turn::LEFT);
+  }
+
+  // Leads the curve around the given side of the pivot where `arc` starts, if that shortens it.
+  bool reroute(Index arc, Turn side)
+  {
+    const Progressive_mesh& pm = m_network.surface();
+    const Index before = m_network.previous(arc);
+    const Arc &incoming = m_network.arc(before), &outgoing = m_network.arc(arc);
+    m_strip.clear();
+    m_arcs.clear();
+    if(before == arc)
+    {
+      m_strip.assign(outgoing.crossings.begin(), outgoing.crossings.end());
+      append_fan(pm, incoming, outgoing, side, m_strip);
+      if(!pull_closed(m_unit(outgoing)))
+        return false;
+    }
+    else
+    {
+      m_strip.assign(incoming.crossings.begin(), incoming.crossings.end());
+      append_fan(pm, incoming, outgoing, side, m_strip);
+      m_strip.insert(m_strip.end(), outgoing.crossings.begin(), outgoing.crossings.end());
+      m_puller.pull(incoming.from, m_strip, outgoing.to, m_arcs);
+      if(m_unit(m_arcs) >= m_unit(incoming) + m_unit(outgoing))
+        return false;
+    }
+    const Index curve = m_network.node(arc).curve;
+    const std::size_t count = m_arcs.size();
+    Index id = m_network.replace(before, arc, m_arcs);
+    if(m_network.is_empty(curve))
+      return true;
+    if(id == null_index)
+    {
+      enqueue_all(curve);
+      return true;
+    }
+    for(std::size_t i = 0; i <= count; ++i)
+      enqueue(id = m_network.next(id));
+    return true;
+  }
+
+  // Finds the shortest curve of the closed strip m_strip. False if it is not shorter than `length`; no arcs if it
+  // degenerates.
+  bool pull_closed(std::int64_t length)
+  {
+    const Closed_strip strip(m_network.surface(), m_strip);
+    if(strip.is_degenerate())
+      return true;
+    m_arcs = strip.shortest_loop(strip.foremost_corner(strip.inner_side()), m_puller);
+    if(m_unit(m_arcs) < length)
+      return true;
+    // Rounding, or a strip so wide that it unfolds over its own centre: the best of all corners.
+    std::int64_t best = length;
+    for(const Closed_strip::Corner& corner : strip.corners())
+    {
+      std::vector<Arc> arcs = strip.shortest_loop(corner, m_puller);
+      if(m_unit(arcs) < best)
+      {
+        best = m_unit(arcs);
+        m_arcs = std::move(arcs);
+      }
+    }
+    return best < length;
+  }
+
+  Curve_network& m_network;
+  Length_unit m_unit;
+  String_puller m_puller;
+  std::deque<std::pair<Index, Index> > m_queue;
+  Strip m_strip;
+  std::vector<Arc> m_arcs;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTENER_H

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TRACE_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TRACE_H
+
+#include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// A point of a closed curve: a pivot, or a point of a crossed halfedge at source + parameter (target - source).
+struct Trace_point
+{
+  Index pivot;    // or null_index
+  Index halfedge; // crossed from its face to the opposite one; or null_index
+  double parameter;
+
+  bool is_pivot() const { return pivot != null_index; }
+};
+
+// Appends the points of an arc but for its end.
+inline void append_trace(const Progressive_mesh& pm, const Arc& arc, std::vector<Trace_point>& trace)
+{
+  trace.push_back({arc.from, null_index, 0});
+  if(arc.is_edge())
+    return;
+  std::vector<Portal> portals;
+  Vector2 end = {0, 0};
+  Portal portal = portal_from_apex(pm, arc.crossings.front());
+  for(std::size_t i = 0;; ++i)
+  {
+    portals.push_back(portal);
+    end = unfold_apex(pm, arc.crossings[i], portal);
+    if(i + 1 == arc.crossings.size())
+      break;
+    portal = next_portal(pm, arc.crossings[i], portal, end, arc.crossings[i + 1]);
+  }
+  for(std::size_t i = 0; i < portals.size(); ++i)
+  {
+    const double d = cross(end, portals[i].left - portals[i].right);
+    const double t = d == 0 ? 0.5 : -cross(end, portals[i].right) / d;
+    trace.push_back({null_index, arc.crossings[i], (std::min)((std::max)(t, 0.0), 1.0)});
+  }
+}
+
+// The points of a closed curve in order, the first not repeated. Linear.
+inline std::vector<Trace_point> trace(const Progressive_mesh& pm, const std::vector<Arc>& curve)
+{
+  std::vector<Trace_point> result;
+  for(const Arc& a : curve)
+    append_trace(pm, a, result);
+  return result;
+}
+
+inline Vector3 position(const Progressive_mesh& pm, const Trace_point& p)
+{
+  if(p.is_pivot())
+    return vector(Progressive_mesh::Point(0, 0, 0), pm.point(p.pivot));
+  const Vector3 a = vector(Progressive_mesh::Point(0, 0, 0), pm.point(pm.source(p.halfedge)));
+  return a + p.parameter * vector(pm.point(pm.source(p.halfedge)), pm.point(pm.target(p.halfedge)));
+}
+
+// A straight piece of a curve inside a face. `entry` and `exit` are places on the face's boundary, counted
+// counterclockwise from 0 to 3: corner i of the face is at i, the middle of the edge after it at i + 1/2.
+struct Strand
+{
+  Index face;
+  double entry, exit;
+};
+
+inline double place_on_boundary(const Progressive_mesh& pm, Index face, const Trace_point& p)
+{
+  for(Index i = 0; i < 3; ++i)
+  {
+    const Index h = 3 * face + i;
+    if(p.is_pivot() ? pm.source(h) == p.pivot : h == p.halfedge)
+      return i + p.parameter;
+    if(!p.is_pivot() && pm.opposite(h) == p.halfedge)
+      return i + (1 - p.parameter);
+  }
+  return 0; // not reached: the point is on the face
+}
+
+// The pieces of a closed curve that cross the inside of faces, in order; pieces along edges are left out.
+inline std::vector<Strand> strands(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
+{
+  std::vector<Strand> result;
+  for(std::size_t i = 0; i < trace.size(); ++i)
+  {
+    const Trace_point &p = trace[i], &q = trace[(i + 1) % trace.size()];
+    if(p.is_pivot() && q.is_pivot())
+      continue;
+    const Index f = p.is_pivot() ? pm.face(q.halfedge) : pm.face(pm.opposite(p.halfedge));
+    result.push_back({f, place_on_boundary(pm, f, p), place_on_boundary(pm, f, q)});
+  }
+  return result;
+}
+
+// Whether a closed curve neither crosses nor touches itself. O(n + sum of squared numbers of strands in one face).
+inline bool is_simple(const Progressive_mesh& pm, const std::vector<Arc>& curve)
+{
+  std::vector<Index> pivots;
+  for(const Arc& a : curve)
+    pivots.push_back(a.from);
+  std::sort(pivots.begin(), pivots.end());
+  if(std::adjacent_find(pivots.begin(), pivots.end()) != pivots.end())
+    return false;
+
+  std::vector<Strand> s = strands(pm, trace(pm, curve));
+  std::sort(s.begin(), s.end(), [](const Strand& a, const Strand& b) { return a.face < b.face; });
+  // x strictly between a and b, counterclockwise from a
+  const auto between = [](double a, double b, double x) { return a < b ? a < x && x < b : x > a || x < b; };
+  for(std::size_t i = 0; i < s.size(); ++i)
+    for(std::size_t j = i + 1; j < s.size() && s[j].face == s[i].face; ++j)
+    {
+      const bool touches = s[i].entry == s[j].entry || s[i].entry == s[j].exit || s[i].exit == s[j].entry ||
+                           s[i].exit == s[j].exit;
+      if(touches)
+      {
+        // the two strands of one pivot share a corner
+        const bool at_corner = (s[i].entry == s[j].exit && s[i].entry == std::floor(s[i].entry)) ||
+                               (s[i].exit == s[j].entry && s[i].exit == std::floor(s[i].exit));
+        if(!at_corner)
+          return false;
+        continue;
+      }
+      if(between(s[i].entry, s[i].exit, s[j].entry) != between(s[i].entry, s[i].exit, s[j].exit))
+        return false;
+    }
+  return true;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TRACE_H

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIMPLIFY_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIMPLIFY_H
+
+#include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
+#include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+#include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
+#include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface_mesh_from_corner_table.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Records collapses and forwards the progress to a detection visitor.
+template <class VertexIndexMap, class Visitor>
+class Reporting_visitor
+  : public Collapse_recording_visitor<VertexIndexMap>
+{
+  typedef Collapse_recording_visitor<VertexIndexMap> Base;
+
+public:
+  Reporting_visitor(Collapse_record& record, VertexIndexMap vim, bool with_refused_seeds, const Visitor& visitor)
+    : Base(record, vim, with_refused_seeds), m_record(&record), m_visitor(&visitor)
+  {}
+
+  template <class Profile, class Vertex>
+  void OnCollapsed(const Profile& profile, const Vertex& kept)
+  {
+    Base::OnCollapsed(profile, kept);
+    m_visitor->on_step(Detection_stage::SIMPLIFICATION, m_record->collapses.size());
+  }
+
+private:
+  const Collapse_record* m_record;
+  const Visitor* m_visitor;
+};
+
+struct Never_stop
+{
+  template <class FT, class Profile, class Size>
+  bool operator()(const FT&, const Profile&, Size, Size) const { return false; }
+};
+
+// Simplifies a copy of the mesh as far as CGAL's edge_collapse() goes, or to the first non-face triangle that it meets,
+// and returns what was done. O(n log n).
+template <class ImportedMesh, class Visitor, class NamedParameters>
+Collapse_record simplify(const ImportedMesh& imported, bool with_refused_seeds, bool first_only, const Visitor& visitor,
+                         const NamedParameters& np)
+{
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+
+  Collapse_record record;
+  Simplification_mesh copy;
+  surface_mesh_from_corner_table(imported.table, imported.points, copy);
+  record.collapses.reserve(imported.points.size());
+
+  const auto vim = get(boost::vertex_index, copy);
+  const Reporting_visitor<std::decay_t<decltype(vim)>, Visitor> recorder(record, vim, with_refused_seeds, visitor);
+  const auto run = [&](const auto& cost, const auto& placement) {
+    const auto policies = CGAL::parameters::get_cost(cost).get_placement(placement).visitor(recorder);
+    if(first_only)
+      SMS::edge_collapse(copy, Non_face_triangle_stop_predicate(), policies);
+    else
+      SMS::edge_collapse(copy, Never_stop(), policies);
+  };
+
+  typedef SMS::GarlandHeckbert_plane_policies<Simplification_mesh, Exact_predicates_inexact_constructions_kernel>
+      Default_policies;
+  constexpr bool default_cost = parameters::is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value;
+  constexpr bool default_placement =
+      parameters::is_default_parameter<NamedParameters, internal_np::get_placement_policy_t>::value;
+  static_assert(default_cost == default_placement, "get_cost and get_placement have to be given together");
+  if constexpr(default_cost)
+  {
+    const Default_policies policies(copy);
+    run(policies.get_cost(), policies.get_placement());
+  }
+  else
+    run(get_parameter(np, internal_np::get_cost_policy), get_parameter(np, internal_np::get_placement_policy));
+  return record;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIMPLIFY_H

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_REFINE_SEED_CURVES_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_REFINE_SEED_CURVES_H
+
+#include <CGAL/Surface_mesh_constrictions/Closed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Refinement.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// A curve on T^0 that `refine_seed_curves()` has carried through the levels.
+struct Refined_curve
+{
+  Closed_curve curve;             ///< empty if the seeds shortened to a point on the way
+  std::vector<std::size_t> seeds; ///< numbers of the seeds that led to it, the first to arrive first
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Visitor of `refine_seed_curves()` whose callbacks do nothing.
+struct Refinement_visitor_base
+{
+  /// called when all curves have reached T^level
+  void on_level(std::size_t /* level */) {}
+
+  /// called when a curve has appeared or changed on T^level. `curve()` gives it as a `Closed_curve`, which is empty if
+  /// it has shortened to a point.
+  template <class Curve>
+  void on_curve(std::size_t /* level */, const std::vector<std::size_t>& /* seeds */, const Curve& /* curve */) {}
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// carries seed curves from their levels to T^0, one vertex split after the other (Sections 4.2 to 4.4 of the paper).
+/// At each split only the arcs through the star of the vertex that is split are computed anew, between the nearest
+/// pivots. Curves that become equal are merged at the level where they meet.
+///
+/// \param pm the surface; at level 0 afterwards
+/// \param seeds the seeds, on any levels, in any order
+/// \param schedule whether the changed part of a curve is tightened at every level. A curve that shortens to a point on
+///        a level is given up there.
+/// \param out an output iterator that takes `Refined_curve`
+/// \param visitor see `Refinement_visitor_base`
+/// \cost O(degree) for each level, plus what is touched: for each curve through the star that is split, linear in the
+///       lengths of the strips between the pivots around it
+template <class OutputIterator, class Visitor>
+OutputIterator refine_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,
+                                  Tightening_schedule schedule, OutputIterator out, Visitor& visitor)
+{
+  typedef internal::Curve_network Network;
+  const bool every_level = schedule == Tightening_schedule::EVERY_LEVEL;
+
+  std::vector<std::size_t> order(seeds.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&seeds](std::size_t a, std::size_t b) { return seeds[a].level > seeds[b].level; });
+
+  const internal::Length_unit unit(pm);
+  Network network(pm, true);
+  internal::Tightener tightener(network, unit);
+  internal::Refinement refinement(pm, network, unit);
+  internal::Distinct_curves distinct(network);
+
+  const auto report = [&](Index c) {
+    visitor.on_curve(pm.level(), network.curve(c).seeds,
+                     [&network, c]() { return internal::curve_of_arcs(internal::arcs_of_curve(network, c)); });
+  };
+  const auto finish = [&](Index c) {
+    report(c);
+    if(!network.is_empty(c))
+      distinct.insert(c);
+    else
+    {
+      *out++ = Refined_curve{Closed_curve(), network.curve(c).seeds};
+      network.remove(c);
+    }
+  };
+
+  pm.go_to_level(order.empty() ? 0 : seeds[order.front()].level);
+  std::vector<Index> changed, pivots;
+  auto next_seed = order.begin();
+  for(;;)
+  {
+    for(; next_seed != order.end() && seeds[*next_seed].level == pm.level(); ++next_seed)
+    {
+      const Index c = network.add_curve(*next_seed, seeds[*next_seed].vertices);
+      if(every_level)
+      {
+        tightener.enqueue_all(c);
+        tightener.run();
+      }
+      finish(c);
+    }
+    visitor.on_level(pm.level());
+    if(pm.level() == 0)
+      break;
+
+    refinement.split(changed, pivots, [&distinct](Index c) { distinct.remove(c); });
+    if(every_level)
+    {
+      for(Index arc : pivots)
+        tightener.enqueue(arc);
+      tightener.run();
+    }
+    for(Index c : changed)
+      finish(c);
+  }
+
+  for(Index c = 0; c < network.number_of_curve_ids(); ++c)
+    if(!network.is_empty(c))
+      *out++ = Refined_curve{internal::curve_of_arcs(internal::arcs_of_curve(network, c)), network.curve(c).seeds};
+  return out;
+}
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// as above, without a visitor.
+template <class OutputIterator>
+OutputIterator refine_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,
+                                  Tightening_schedule schedule, OutputIterator out)
+{
+  Refinement_visitor_base visitor;
+  return refine_seed_curves(pm, seeds, schedule, out, visitor);
+}
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_REFINE_SEED_CURVES_H

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_TIGHTEN_CLOSED_CURVE_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_TIGHTEN_CLOSED_CURVE_H
+
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// What a loop was tightened to.
+template <class TriangleMesh>
+struct Tightened_curve
+{
+  Tightening_verdict verdict;
+  Constriction<TriangleMesh> curve; ///< empty unless the verdict is `CLOSED_GEODESIC`
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// shortens closed loops of edges on a fixed mesh until they are closed geodesics, or found degenerate (the paper's
+/// "loosening", Section 6).
+///
+/// Every step shortens the curve, measured in whole multiples of a small unit of length, so the function ends for every
+/// input. Where the loop runs out and back along an edge, or visits the same edge twice, that is shortened away like
+/// everything else. A curve that slips out of a flat band at an end of it that leaks goes on shortening; one that is
+/// held is moved to the canonical end of the band.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam LoopRange a range of ranges of vertex descriptors
+/// \tparam OutputIterator takes `Tightened_curve<TriangleMesh>`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tm a closed triangle mesh, any genus, any number of connected components
+/// \param loops closed paths of mesh edges, each the cyclic sequence of its vertices, the first not repeated
+/// \param out one result for each loop, in order
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tm`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` whose value type is a 3D point}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_index_map}
+///     \cgalParamDescription{a property map associating to each vertex of `tm` a unique index}
+///     \cgalParamType{a class model of `ReadablePropertyMap`}
+///     \cgalParamDefault{an automatically indexed internal map}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \throws Invalid_input for a mesh that cannot be used, and for a loop that is not a closed path of mesh edges
+/// \cost linear in the size of the mesh, plus for each loop linear in the lengths of the strips that it is led through
+template <class TriangleMesh, class LoopRange, class OutputIterator,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& loops, OutputIterator out,
+                                     const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(CGAL::vertex_point, tm));
+  const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+
+  const internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
+  const Progressive_mesh pm(imported.table, imported.points);
+  std::unordered_map<std::size_t, Index> index;
+  for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+    index.emplace(get(vim, imported.vertex(v)), v);
+
+  internal::Curve_network network(pm, false);
+  internal::Curve_settler settler(network);
+  internal::Constriction_maker<TriangleMesh> maker(imported, pm);
+  std::size_t number = 0;
+  for(const auto& loop : loops)
+  {
+    Seed_curve seed = {0, {}, Seed_origin::USER};
+    for(const auto& v : loop)
+      seed.vertices.push_back(index.at(get(vim, v)));
+    internal::check_loop(pm, seed.vertices, number);
+    const Index c = network.add_curve(number, seed.vertices);
+    Tightened_curve<TriangleMesh> result;
+    result.verdict = settler.settle(c);
+    if(result.verdict == Tightening_verdict::CLOSED_GEODESIC)
+      result.curve = maker.make(network, c, std::vector<Seed_curve>{seed}, settler.band_width());
+    network.remove(c);
+    *out++ = result;
+    ++number;
+  }
+  return out;
+}
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// shortens one closed loop of edges until it is a closed geodesic, or found degenerate; see `tighten_closed_curves()`.
+///
+/// \param loop a range of vertex descriptors
+template <class TriangleMesh, class Loop, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Tightened_curve<TriangleMesh> tighten_closed_curve(const TriangleMesh& tm, const Loop& loop,
+                                                   const NamedParameters& np = CGAL::parameters::default_values())
+{
+  std::vector<Tightened_curve<TriangleMesh> > result;
+  const Loop* loops = &loop;
+  tighten_closed_curves(tm, CGAL::make_range(loops, loops + 1), std::back_inserter(result), np);
+  return result.front();
+}
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_TIGHTEN_CLOSED_CURVE_H
