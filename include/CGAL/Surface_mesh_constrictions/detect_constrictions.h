@@ -122,7 +122,7 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///   \cgalParamNBegin{tightening_schedule}
 ///     \cgalParamDescription{whether curves are tightened at every level or on the input only}
 ///     \cgalParamType{`Tightening_schedule`}
-///     \cgalParamDefault{`Tightening_schedule::EVERY_LEVEL`}
+///     \cgalParamDefault{`Tightening_schedule::AT_THE_END`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{first_constriction_only}
 ///     \cgalParamDescription{whether to stop at the first seed curve, and follow that one only. It may degenerate: then
@@ -161,7 +161,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   const Seed_detection detection = choose_parameter(get_parameter(np, internal_np::seed_detection),
                                                     Seed_detection::ON_APPEARANCE);
   const Tightening_schedule schedule = choose_parameter(get_parameter(np, internal_np::tightening_schedule),
-                                                        Tightening_schedule::EVERY_LEVEL);
+                                                        Tightening_schedule::AT_THE_END);
   const bool first_only = choose_parameter(get_parameter(np, internal_np::first_constriction_only), false);
 
   Detection_statistics statistics;
