@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_preserving_placement.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_MAKE_PROGRESSIVE_MESH_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_MAKE_PROGRESSIVE_MESH_H
+
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// builds the progressive mesh of a triangle mesh and of the edge collapses that were made on a copy of it.
+///
+/// \param tm the mesh before the first collapse, closed; unchanged. Vertex `i` of the progressive mesh is the `i`-th one
+///        of `vertices(tm)`, face `i` the `i`-th one of `faces(tm)`.
+/// \param collapses the record of a `Collapse_recording_visitor`, in these vertex numbers
+/// \param np an optional sequence of named parameters: `vertex_point_map` and `vertex_index_map` of `tm`
+/// \return the progressive mesh, at its last level
+/// \throws Invalid_input for a mesh that cannot be used
+/// \cost linear in the size of the mesh and the number of collapses
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Progressive_mesh make_progressive_mesh(const TriangleMesh& tm, const std::vector<Edge_collapse>& collapses,
+                                       const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  internal::Imported_mesh<TriangleMesh> imported(
+      tm, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm)),
+      CGAL::get_initialized_vertex_index_map(tm, np));
+  Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
+  pm.reserve(collapses.size());
+  for(const Edge_collapse& c : collapses)
+    pm.append_collapse(c);
+  return pm;
+}
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_MAKE_PROGRESSIVE_MESH_H
