@@ -9,15 +9,16 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <sstream>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -292,8 +293,9 @@ TEST_F(Mesh_file, no_digit_is_lost)
   Soup soup = octahedron();
   soup.points[0][0] = 0.12345678901234567;
   soup.points[2][2] = 1e-300;
-  const auto precise = [](const std::string& text) { return replaced(replaced(text, "1 0 0\n", "+0.12345678901234567 0 0\n"),
-                                                                     "0 0 1.5\n", "0 0 1E-300\n"); };
+  const auto precise = [](const std::string& text) {
+    return replaced(replaced(text, "1 0 0\n", "+0.12345678901234567 0 0\n"), "0 0 1.5\n", "0 0 1E-300\n");
+  };
   expect_mesh(soup, "a.off", precise(off(octahedron())));
   expect_mesh(soup, "a.obj", precise(obj(octahedron())));
 }
@@ -331,7 +333,8 @@ TEST_F(Mesh_file, ply_with_other_properties_and_elements)
   std::string text = "ply\nformat ascii 1.0\nobj_info x\nelement camera 1\nproperty list uchar float position\n"
                      "property uchar kind\nelement vertex 6\nproperty uchar red\nproperty double z\nproperty double x\n"
                      "property double y\nelement face 8\nproperty float quality\n"
-                     "property list uint16 uint32 vertex_index\nelement edge 1\nproperty int a\nend_header\n2 0.5 0.5 7\n";
+                     "property list uint16 uint32 vertex_index\nelement edge 1\nproperty int a\nend_header\n"
+                     "2 0.5 0.5 7\n";
   for(const Position& p : soup.points)
   {
     std::ostringstream line;
@@ -370,19 +373,23 @@ TEST_F(Mesh_file, isolated_vertices_keep_the_numbers)
   EXPECT_TRUE(mesh.is_removed(Mesh::Vertex_index(6)));
 }
 
-TEST_F(Mesh_file, not_a_number_is_read_as_such)
+TEST_F(Mesh_file, positions_that_cannot_be_used)
 {
   for(const char* value : {"nan", "inf", "-inf", "1e999"})
   {
-    EXPECT_FALSE(std::isfinite(read("a.off", replaced(off(octahedron()), "1.5", value)).point(Mesh::Vertex_index(2)).z()));
-    EXPECT_FALSE(std::isfinite(read("a.obj", replaced(obj(octahedron()), "1.5", value)).point(Mesh::Vertex_index(2)).z()));
+    expect_defect(Input_defect::NON_FINITE_COORDINATE, 2, "a.off", replaced(off(octahedron()), "1.5", value),
+                  {"vertex 2", "z = "});
+    expect_defect(Input_defect::NON_FINITE_COORDINATE, 2, "a.obj", replaced(obj(octahedron()), "1.5", value),
+                  {"vertex 2", "z = "});
   }
   Soup soup = octahedron();
   soup.points[2][2] = NAN;
   // it must not look like a hole: all corners with it are still one vertex
-  EXPECT_TRUE(std::isnan(read("a.stl", binary_stl(soup)).point(Mesh::Vertex_index(2)).z()));
-  EXPECT_TRUE(std::isnan(read("b.stl", ascii_stl(soup)).point(Mesh::Vertex_index(2)).z()));
-  EXPECT_TRUE(std::isnan(read("a.ply", binary_ply(soup, true)).point(Mesh::Vertex_index(2)).z()));
+  for(const std::string& content : {binary_stl(soup), ascii_stl(soup), binary_ply(soup, true)})
+    expect_defect(Input_defect::NON_FINITE_COORDINATE, 2, "a.mesh", content, {"vertex 2", "z = "});
+  Soup collapsed = octahedron();
+  collapsed.points[4] = collapsed.points[0];
+  expect_defect(Input_defect::ZERO_LENGTH_EDGE, 3, "collapsed.off", off(collapsed), {"length zero", "face 3"});
 }
 
 TEST_F(Mesh_file, faces_that_are_no_triangles)
@@ -411,7 +418,8 @@ TEST_F(Mesh_file, vertices_that_do_not_exist)
     expect_defect(Input_defect::INVALID_VERTEX_INDEX, 2, "a.off", replaced(off(soup), "3 3 4 2", line),
                   {"face 2", v, "of 6"});
     expect_defect(Input_defect::INVALID_VERTEX_INDEX, 2, "a.ply",
-                  ply_header(soup, "ascii") + points_as_text(soup) + replaced(faces_as_text(soup, "3"), "3 3 4 2", line),
+                  ply_header(soup, "ascii") + points_as_text(soup) +
+                      replaced(faces_as_text(soup, "3"), "3 3 4 2", line),
                   {"face 2", v, "of 6"});
   }
   for(const char* v : {"-7", "7", "99999999999"})
@@ -428,14 +436,43 @@ TEST_F(Mesh_file, surfaces_that_cannot_be_used)
   Soup open = soup;
   open.triangles.pop_back();
   expect_defect(Input_defect::NOT_CLOSED, 3, "open.off", off(open), {"not closed", "face 3"});
-  Soup flipped = soup;
-  std::swap(flipped.triangles[5][0], flipped.triangles[5][1]);
-  expect_defect(Input_defect::INCONSISTENT_ORIENTATION, 1, "flipped.obj", obj(flipped), {"orientation"});
+  // the projective plane with six vertices: closed, and not orientable
+  Soup one_sided;
+  for(int i = 0; i < 6; ++i)
+    one_sided.points.push_back({{static_cast<double>(i), static_cast<double>(i * i), static_cast<double>(i % 2)}});
+  one_sided.triangles = {{{0, 1, 4}}, {{0, 1, 5}}, {{0, 2, 3}}, {{0, 2, 5}}, {{0, 3, 4}},
+                         {{1, 2, 3}}, {{1, 2, 4}}, {{1, 3, 5}}, {{2, 4, 5}}, {{3, 4, 5}}};
+  expect_defect(Input_defect::INCONSISTENT_ORIENTATION, 0, "one_sided.obj", obj(one_sided), {"orientation", "face 0"});
   Soup empty = soup;
   empty.triangles.clear();
   expect_defect(Input_defect::EMPTY_MESH, 0, "empty.off", off(empty), {"no face"});
   expect_defect(Input_defect::EMPTY_MESH, 0, "empty.stl", "solid\nendsolid\n", {"no face"});
   expect_defect(Input_defect::EMPTY_MESH, 0, "empty_binary.stl", binary_stl(Soup()), {"no face"});
+}
+
+TEST_F(Mesh_file, faces_of_another_orientation_are_turned)
+{
+  const Soup soup = octahedron();
+  Soup flipped = soup;
+  for(std::size_t f : {1, 5})
+    std::swap(flipped.triangles[f][1], flipped.triangles[f][2]);
+  std::vector<bool> is_turned;
+  const Mesh mesh = constrictions::read_mesh_file(file("flipped.obj", obj(flipped)), is_turned);
+  ASSERT_EQ(is_turned.size(), 8u);
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    // all are turned, or those two
+    EXPECT_EQ(is_turned[f], is_turned[0] != (f.idx() == 1 || f.idx() == 5));
+    Triangle expected = flipped.triangles[f];
+    if(is_turned[f])
+      std::swap(expected[1], expected[2]);
+    Mesh::Halfedge_index h = mesh.halfedge(f);
+    for(std::uint32_t v : expected)
+    {
+      EXPECT_EQ(mesh.source(h).idx(), v) << f;
+      h = mesh.next(h);
+    }
+  }
 }
 
 TEST_F(Mesh_file, text_where_a_number_belongs)
@@ -448,7 +485,7 @@ TEST_F(Mesh_file, text_where_a_number_belongs)
   expect_file_error("a.stl", replaced(ascii_stl(soup), "0 0 1.5", "0 0 1.5.0"), {"line 6", "face 0", "\"1.5.0\""});
   expect_file_error("b.stl", replaced(ascii_stl(soup), "endloop", "endlop"), {"line 7", "face 0", "\"endlop\""});
   expect_file_error("a.ply", ply_header(soup, "ascii") + replaced(points_as_text(soup), "1.5", "x"),
-                    {"line 12", "vertex 2", "\"x\""});
+                    {"line 13", "vertex 2", "\"x\""});
 }
 
 TEST_F(Mesh_file, every_truncation_is_an_error)
@@ -498,7 +535,6 @@ TEST_F(Mesh_file, truncated_files_name_the_place)
 
 TEST_F(Mesh_file, huge_counts_are_refused_at_once)
 {
-  const auto begin = std::chrono::steady_clock::now();
   expect_file_error("a.off", "OFF\n2000000000 2000000000 0\n0 0 0\n", {"vertex 1 of the 2000000000"});
   expect_file_error("b.off", "OFF\n99999999999999999999999 1 0\n", {"number of vertices"});
   const std::string vertices = "element vertex 2000000000\nproperty float x\nproperty float y\nproperty float z\n";
@@ -506,10 +542,10 @@ TEST_F(Mesh_file, huge_counts_are_refused_at_once)
   expect_file_error("a.ply", "ply\nformat ascii 1.0\n" + vertices + faces + "0 0 0\n", {"vertex 1 of the 2000000000"});
   expect_file_error("b.ply", "ply\nformat binary_little_endian 1.0\n" + vertices + faces, {"vertex 0"});
   const std::string list = "element x 1\nproperty list uint int y\n";
-  expect_file_error("c.ply", "ply\nformat binary_little_endian 1.0\n" + list + vertices + faces + "\xFF\xFF\xFF\xFFzzzz",
+  expect_file_error("c.ply",
+                    "ply\nformat binary_little_endian 1.0\n" + list + vertices + faces + "\xFF\xFF\xFF\xFFzzzz",
                     {"x 0 of the 1"});
   expect_file_error("a.stl", std::string(80, 'x') + "\xFF\xFF\xFF\x7F", {"face 0 of the 2147483647"});
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
 
 TEST_F(Mesh_file, ply_headers_that_cannot_be_used)
@@ -579,7 +615,9 @@ TEST_F(Mesh_file, loops)
   EXPECT_EQ(loops.lines, (std::vector<std::size_t>{3, 5}));
 
   for(const auto& [content, part] : std::vector<std::pair<std::string, std::string> >{
-          {"0 1 2\n\n0 1 6\n", "line 3: vertex 6"}, {"0 -1 2\n", "line 1: \"-1\""}, {"#\n0,1,2\n", "line 2: \"0,1,2\""}})
+          {"0 1 2\n\n0 1 6\n", "line 3: vertex 6"},
+          {"0 -1 2\n", "line 1: \"-1\""},
+          {"#\n0,1,2\n", "line 2: \"0,1,2\""}})
     try
     {
       constrictions::read_loops_file(file("bad.txt", content), mesh);

@@ -2,10 +2,13 @@
 #include "mesh_file.h"
 
 #include "input_file.h"
+#include "orient_soup.h"
 #include "text_scanner.h"
 #include "triangle_soup.h"
 
+#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface_mesh_from_corner_table.h>
 
 #include <algorithm>
@@ -14,6 +17,7 @@
 #include <filesystem>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace constrictions {
 
@@ -83,9 +87,28 @@ Triangle_soup read_triangle_soup(const Input_file& file)
   file.fail("neither an OFF, OBJ, PLY nor STL file");
 }
 
+// Faces whose only fault is their orientation are turned, the numbers of those go to `turned`.
+CGAL::Surface_mesh_constrictions::internal::Corner_table connect(Triangle_soup& soup, std::vector<Index>& turned)
+{
+  using namespace CGAL::Surface_mesh_constrictions;
+  try
+  {
+    return internal::make_corner_table(soup.points.size(), soup.corners);
+  }
+  catch(const Invalid_input& e)
+  {
+    if(e.defect() != Input_defect::INCONSISTENT_ORIENTATION)
+      throw;
+    turned = orient_soup(soup);
+    if(turned.empty())
+      throw;
+  }
+  return internal::make_corner_table(soup.points.size(), soup.corners);
+}
+
 } // namespace
 
-Mesh read_mesh_file(const std::string& name)
+Mesh read_mesh_file(const std::string& name, std::vector<bool>& is_turned)
 {
   using namespace CGAL::Surface_mesh_constrictions;
 
@@ -98,10 +121,21 @@ Mesh read_mesh_file(const std::string& name)
 
   Triangle_soup soup = read_triangle_soup(file);
   std::string().swap(file.content); // before the mesh needs memory
-  const internal::Corner_table table = internal::make_corner_table(soup.points.size(), std::move(soup.corners));
+  std::vector<Index> turned;
+  const internal::Corner_table table = connect(soup, turned);
+  internal::check_points(table, soup.points);
   Mesh mesh;
   internal::surface_mesh_from_corner_table(table, soup.points, mesh);
+  is_turned.assign(mesh.number_of_faces(), false);
+  for(Index f : turned)
+    is_turned[f] = true;
   return mesh;
+}
+
+Mesh read_mesh_file(const std::string& name)
+{
+  std::vector<bool> is_turned;
+  return read_mesh_file(name, is_turned);
 }
 
 } // namespace constrictions

@@ -28,6 +28,9 @@ public:
   std::size_t offset() const { return static_cast<std::size_t>(m_pos - m_begin); }
   std::size_t remaining() const { return static_cast<std::size_t>(m_end - m_pos); }
 
+  /// the number of the present line, counted from 1; linear in its place in the file.
+  std::size_t line() const { return 1 + static_cast<std::size_t>(std::count(m_begin, m_pos, '\n')); }
+
   /// goes to the first word at or after the present place that is no comment; false at the end of the file.
   bool next_line()
   {
@@ -92,7 +95,7 @@ public:
   /// throws `Input_file_error` with the number of the line.
   [[noreturn]] void fail(const std::string& reason) const
   {
-    m_file->fail("line " + std::to_string(1 + std::count(m_begin, m_pos, '\n')) + ": " + reason);
+    m_file->fail("line " + std::to_string(line()) + ": " + reason);
   }
 
   /// throws that the word read last, where `element` stands, is not `expected`.

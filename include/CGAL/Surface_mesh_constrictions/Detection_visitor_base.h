@@ -32,7 +32,7 @@ struct Detection_visitor_base
   /// called when a stage begins that takes `steps` steps: edge collapses expected, levels, or curves
   void on_stage_begin(Detection_stage /* stage */, std::size_t /* steps */) const {}
 
-  /// called after step number `done` of the stage under way (1, 2, ...)
+  /// called when `done` steps of the stage under way are done; `done` grows, and may skip
   void on_step(Detection_stage /* stage */, std::size_t /* done */) const {}
 
   /// called when a stage ends

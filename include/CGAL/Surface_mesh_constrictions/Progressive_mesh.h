@@ -39,6 +39,18 @@ class Progressive_mesh
 public:
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
 
+private:
+  // While the collapse is undone, `point` is where the kept vertex will move; while it is applied, where it was.
+  // The bits of `outgoing` tell which outgoing halfedges of vertices went out with the two faces.
+  struct Record
+  {
+    Point point;
+    Index halfedge;
+    Index outgoing;
+  };
+
+public:
+
   /// The elements that a vertex split put in, or a collapse took out: the edge from `removed` to `kept` and the two
   /// faces at it. `left` is the halfedge from `removed` to `kept`, `right` its opposite; each is the first of its face.
   struct Split
@@ -64,6 +76,10 @@ public:
 
   /// the number n of collapses of the sequence
   std::size_t number_of_collapses() const { return m_records.size(); }
+
+  /// the memory that a collapse takes beyond the connectivity and positions of T^0: what it records, and the lifetimes
+  /// of the vertex and the two faces that it takes out
+  static constexpr std::size_t bytes_per_collapse() { return sizeof(Record) + 3 * sizeof(Index); }
 
   void reserve(std::size_t collapses) { m_records.reserve(collapses); }
 
@@ -203,15 +219,6 @@ public:
   /// @}
 
 private:
-  // While the collapse is undone, `point` is where the kept vertex will move; while it is applied, where it was.
-  // The bits of `outgoing` tell which outgoing halfedges of vertices went out with the two faces.
-  struct Record
-  {
-    Point point;
-    Index halfedge;
-    Index outgoing;
-  };
-
   // The outer sides of the four edges of the two faces: a faces next(left), b faces prev(left), c faces next(right)
   // and d faces prev(right).
   struct Sides

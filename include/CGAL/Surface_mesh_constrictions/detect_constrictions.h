@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/coincidence.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
@@ -47,6 +48,41 @@ struct Refinement_progress
   }
 };
 
+// A curve of T^0 that is going to be returned.
+struct Found_curve
+{
+  Index curve; // of the network
+  double length;
+  double band_width;
+};
+
+// Sorts curves by length and merges those that are the same but for rounding.
+inline void merge_coinciding(Curve_network& network, std::vector<Found_curve>& found)
+{
+  const Progressive_mesh& pm = network.surface();
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Found_curve& a, const Found_curve& b) { return a.length < b.length; });
+  const auto trace_of = [&](const Found_curve& f) { return trace(pm, arcs_of_curve(network, f.curve)); };
+  std::vector<Found_curve> kept;
+  for(const Found_curve& f : found)
+  {
+    bool is_new = true;
+    for(auto it = kept.rbegin(); is_new && it != kept.rend(); ++it)
+    {
+      if(it->length < f.length * (1 - coincidence_tolerance))
+        break;
+      if(coincide(pm, trace_of(f), trace_of(*it), f.length) && coincide(pm, trace_of(*it), trace_of(f), f.length))
+      {
+        network.merge(f.curve, it->curve);
+        is_new = false;
+      }
+    }
+    if(is_new)
+      kept.push_back(f);
+  }
+  found.swap(kept);
+}
+
 // Builds the progressive mesh from a record and finds the seeds that are asked for.
 inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detection detection, bool first_only,
                                       Progressive_mesh& pm)
@@ -61,9 +97,9 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
   {
     if(first_only && !seeds.empty() && seeds.front().level == pm.level())
       break;
-    if(detection == Seed_detection::ON_APPEARANCE)
-      non_face_triangles_of_collapse(pm, c.removed, c.kept, std::back_inserter(seeds));
     pm.append_collapse(c);
+    if(detection == Seed_detection::ON_APPEARANCE)
+      non_face_triangles_at_vertex(pm, c.kept, std::back_inserter(seeds));
   }
   if(first_only && seeds.size() > 1)
     seeds.resize(1);
@@ -188,7 +224,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   internal::Curve_network network(pm, false);
   internal::Curve_settler settler(network);
   internal::Distinct_curves distinct(network);
-  std::vector<std::pair<Index, double> > found; // curve and width of its flat band
+  std::vector<internal::Found_curve> found;
   for(std::size_t i = 0; i < refined.size(); ++i)
   {
     const Index c = network.add_curve(i);
@@ -205,26 +241,25 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       break;
     case Tightening_verdict::CLOSED_GEODESIC:
       if(distinct.insert(c))
-        found.emplace_back(c, settler.band_width());
+        found.push_back({c, network.length(c), settler.band_width()});
       break;
     }
     visitor.on_step(Detection_stage::TIGHTENING, i + 1);
   }
   statistics.leaky_bands = settler.number_of_leaks();
+  internal::merge_coinciding(network, found);
 
   internal::Constriction_maker<TriangleMesh> maker(imported, pm);
   std::vector<Constriction<TriangleMesh> > constrictions;
-  for(const std::pair<Index, double>& f : found)
+  for(const internal::Found_curve& f : found)
   {
     std::vector<Seed_curve> its_seeds;
-    for(std::size_t i : network.curve(f.first).seeds)
+    for(std::size_t i : network.curve(f.curve).seeds)
       for(std::size_t s : refined[i].seeds)
         its_seeds.push_back(seeds[s]);
     statistics.merged += its_seeds.size() - 1;
-    constrictions.push_back(maker.make(network, f.first, its_seeds, f.second));
+    constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width));
   }
-  std::stable_sort(constrictions.begin(), constrictions.end(),
-                   [](const auto& a, const auto& b) { return a.length() < b.length(); });
   visitor.on_stage_end(Detection_stage::TIGHTENING);
 
   visitor.on_end(statistics);

@@ -52,40 +52,34 @@ OutputIterator non_face_triangles(const Progressive_mesh& pm, OutputIterator out
 }
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// writes the non-face triangles at the merged vertex that the collapse of `removed` into `kept` is about to make, but
-/// for those that are there already as triangles of `kept`.
+/// writes the non-face triangles at a vertex (after a collapse, the vertex that it has merged: Section 4.1 of the paper).
 ///
-/// \param pm the surface before the collapse; unchanged
-/// \param out an output iterator that takes `Seed_curve`, with the level after the collapse
+/// \param pm the surface; unchanged
+/// \param out an output iterator that takes `Seed_curve`, with `level` the current level
 /// \cost quadratic in the vertex degree
 template <class OutputIterator>
-OutputIterator non_face_triangles_of_collapse(const Progressive_mesh& pm, Index removed, Index kept, OutputIterator out)
+OutputIterator non_face_triangles_at_vertex(const Progressive_mesh& pm, Index v, OutputIterator out)
 {
-  typedef boost::container::small_vector<Index, 16> Indices;
-  const auto contains = [](const Indices& v, Index i) { return std::find(v.begin(), v.end(), i) != v.end(); };
+  boost::container::small_vector<Index, 16> ring; // the neighbours, counterclockwise
+  const Index begin = pm.outgoing(v);
+  Index h = begin;
+  do {
+    ring.push_back(pm.target(h));
+    h = pm.ccw(h);
+  } while(h != begin);
 
-  // The two vertices have two neighbours in common, the apexes of the faces at their edge (the link condition).
-  const Index edge = pm.halfedge(removed, kept), back = pm.opposite(edge);
-  Indices of_removed, of_kept; // other neighbours, counterclockwise
-  for(Index h = pm.ccw(edge); h != edge; h = pm.ccw(h))
-    of_removed.push_back(pm.target(h));
-  for(Index h = pm.ccw(back); h != back; h = pm.ccw(h))
-    of_kept.push_back(pm.target(h));
-
-  for(std::size_t i = 1; i + 1 < of_removed.size(); ++i)
+  const std::size_t n = ring.size();
+  for(std::size_t i = 0; i < n; ++i)
   {
-    const Index x = of_removed[i], before = of_removed[i - 1], after = of_removed[i + 1];
-    const Index begin = pm.outgoing(x);
-    Index xy = begin;
+    const Index x = ring[i], before = ring[(i + n - 1) % n], after = ring[(i + 1) % n];
+    const Index xbegin = pm.outgoing(x);
+    Index xy = xbegin;
     do {
       const Index y = pm.target(xy);
-      // two neighbours of `removed` only see each other twice
-      const bool seen_from_y = y < x && y != of_removed.front() && y != of_removed.back();
-      if(y != removed && y != before && y != after &&
-         (contains(of_kept, y) || (contains(of_removed, y) && !seen_from_y)))
-        *out++ = Seed_curve{pm.level() + 1, {kept, x, y}, Seed_origin::NON_FACE_TRIANGLE};
+      if(x < y && y != before && y != after && std::find(ring.begin(), ring.end(), y) != ring.end())
+        *out++ = Seed_curve{pm.level(), {v, x, y}, Seed_origin::NON_FACE_TRIANGLE};
       xy = pm.ccw(xy);
-    } while(xy != begin);
+    } while(xy != xbegin);
   }
   return out;
 }

@@ -110,7 +110,8 @@ OutputIterator refine_seed_curves(Progressive_mesh& pm, const std::vector<Seed_c
     if(every_level)
     {
       for(Index arc : pivots)
-        tightener.enqueue(arc);
+        if(network.node(arc).curve != null_index)
+          tightener.enqueue(arc);
       tightener.run();
     }
     for(Index c : changed)

@@ -23,12 +23,12 @@ typedef std::vector<Index> Strip;
 // to `to` in the face that it is crossed to.
 struct Arc
 {
-  Index from, to;
-  Index along;                                        // the edge's halfedge out of `from`, or null_index
+  Index from = null_index, to = null_index;
+  Index along = null_index;                           // the edge's halfedge out of `from`, or null_index
   boost::container::small_vector<Index, 6> crossings; // empty if the arc runs along an edge
-  double length;
-  double start_angle; // at `from`, counterclockwise from start_halfedge() to the arc
-  double end_angle;   // at `to`, counterclockwise from end_halfedge() to the arc
+  double length = 0;
+  double start_angle = 0; // at `from`, counterclockwise from start_halfedge() to the arc
+  double end_angle = 0;   // at `to`, counterclockwise from end_halfedge() to the arc
 
   bool is_edge() const { return along != null_index; }
 };

@@ -29,8 +29,7 @@ public:
     Index curve, previous, next;
     std::uint64_t hash;   // as it was when the arc was entered
     Index last_face;      // on the other side of the edge, or of the last crossing, when the arc was entered
-    Index generation = 0; // grows each time the id is given to another arc
-    bool queued = false;  // for whoever keeps a queue of arcs
+    Index stamp = 0;      // changes each time the id is given to another arc, or taken from one
   };
 
   struct Curve
@@ -51,7 +50,11 @@ public:
   const Progressive_mesh& surface() const { return m_pm; }
 
   const Node& node(Index id) const { return m_nodes[id]; }
-  Node& node(Index id) { return m_nodes[id]; }
+
+  // Tells whether an id still means the same arc, to whoever keeps a queue of arcs; renewed on demand.
+  Index stamp(Index id) const { return m_nodes[id].stamp; }
+  Index renew_stamp(Index id) { return ++m_nodes[id].stamp; }
+
   const Arc& arc(Index id) const { return m_nodes[id].arc; }
   Index next(Index id) const { return m_nodes[id].next; }
   Index previous(Index id) const { return m_nodes[id].previous; }
@@ -250,8 +253,7 @@ private:
     Node& n = m_nodes[id];
     n.arc = std::move(arc);
     n.curve = c;
-    ++n.generation;
-    n.queued = false;
+    ++n.stamp;
     Curve& curve = m_curves[c];
     if(before == null_index)
     {
@@ -289,6 +291,7 @@ private:
       curve.first = null_index;
     n.arc.crossings.clear();
     n.curve = null_index;
+    ++n.stamp;
     m_free_nodes.push_back(id);
   }
 

@@ -64,7 +64,7 @@ public:
     : m_tm(tm)
   {
     std::vector<Index> index; // of the descriptor's index, which may have gaps
-    for(vertex_descriptor v : CGAL::vertices(tm))
+    for(vertex_descriptor v : vertices(tm))
     {
       const std::size_t i = get(vim, v);
       if(index.size() <= i)
@@ -76,7 +76,7 @@ public:
     }
 
     std::vector<Index> corners;
-    for(auto f : CGAL::faces(tm))
+    for(auto f : faces(tm))
     {
       const halfedge_descriptor h = halfedge(f, tm);
       const halfedge_descriptor n = next(h, tm), p = next(n, tm);

@@ -186,7 +186,6 @@ private:
     Arc arc;
     arc.from = from;
     arc.to = to;
-    arc.along = null_index;
     if(first < last)
       arc.crossings.assign(strip.begin() + static_cast<std::ptrdiff_t>(first),
                            strip.begin() + static_cast<std::ptrdiff_t>(last));

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <unordered_set>
@@ -141,7 +142,8 @@ public:
   }
 
   // Which side of the surface a geodesic chokes: where its curvature vector points into the solid, the object. What
-  // three quarters of its length or more say, decides. Linear.
+  // three quarters of its turning or more say, decides. The length of the curve would be a bad weight: where it crosses
+  // almost flat edges, noise alone decides to which side it bends. Linear.
   Side choked_side(const std::vector<Trace_point>& trace) const
   {
     const double outward = m_outward[m_component[some_face(trace)]];
@@ -149,15 +151,15 @@ public:
     const std::size_t n = trace.size();
     for(std::size_t i = 0; i < n; ++i)
     {
-      const Vector3 p = position(m_pm, trace[i]);
+      const Vector3 p = position(m_pm, trace[i]), m = normal(trace[i]);
       const Vector3 a = p - position(m_pm, trace[(i + n - 1) % n]), b = position(m_pm, trace[(i + 1) % n]) - p;
-      const double la = norm(a), lb = norm(b);
-      if(la == 0 || lb == 0)
+      const double la = norm(a), lb = norm(b), lm = norm(m);
+      if(la == 0 || lb == 0 || lm == 0)
         continue;
-      const double bend = outward * dot((1 / lb) * b - (1 / la) * a, normal(trace[i]));
-      (bend < 0 ? inwards : outwards) += bend == 0 ? 0 : (la + lb) / 2;
+      const double bend = outward * dot((1 / lb) * b - (1 / la) * a, m) / lm;
+      (bend < 0 ? inwards : outwards) += std::abs(bend);
     }
-    const double share = inwards / (inwards + outwards);
+    const double share = inwards + outwards > 0 ? inwards / (inwards + outwards) : 0.5;
     return share >= 0.75 ? Side::OBJECT : share <= 0.25 ? Side::COMPLEMENT : Side::MIXED;
   }
 

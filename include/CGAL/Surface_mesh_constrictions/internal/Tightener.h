@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -74,14 +74,14 @@ public:
 
   String_puller& puller() { return m_puller; }
 
-  // Notes that the pivot at which an arc starts has to be looked at.
+  // Notes the pivot at which an arc starts, if one of its side angles is below pi. The arcs at it must be in place.
   void enqueue(Index arc)
   {
-    Curve_network::Node& n = m_network.node(arc);
-    if(n.queued)
-      return;
-    n.queued = true;
-    m_queue.emplace_back(arc, n.generation);
+    const Side_angles angles =
+        side_angles(m_network.surface(), m_network.arc(m_network.previous(arc)), m_network.arc(arc));
+    const Index stamp = m_network.renew_stamp(arc);
+    if((std::min)(angles.left, angles.right) < CGAL_PI - angle_tolerance)
+      m_queue.push(Entry{angles, arc, stamp});
   }
 
   void enqueue_all(Index curve)
@@ -89,33 +89,36 @@ public:
     m_network.for_each_arc(curve, [this](Index arc) { enqueue(arc); });
   }
 
-  // Works until no noted pivot can be improved. A curve that degenerates is left without arcs.
+  // Works, the sharpest pivot first, until no noted pivot can be improved. A curve that degenerates is left without
+  // arcs. The order makes the result independent of where a curve starts and of its direction.
   void run()
   {
     while(!m_queue.empty())
     {
-      const std::pair<Index, Index> entry = m_queue.front();
-      m_queue.pop_front();
-      Curve_network::Node& n = m_network.node(entry.first);
-      if(n.curve == null_index || n.generation != entry.second)
+      const Entry entry = m_queue.top();
+      m_queue.pop();
+      if(m_network.stamp(entry.arc) != entry.stamp)
         continue;
-      n.queued = false;
-      improve(entry.first);
+      const Turn sharper = entry.angles.left <= entry.angles.right ? Turn::LEFT : Turn::RIGHT;
+      if(!reroute(entry.arc, sharper) &&
+         (std::max)(entry.angles.left, entry.angles.right) < CGAL_PI - angle_tolerance)
+        reroute(entry.arc, sharper == Turn::LEFT ? Turn::RIGHT : Turn::LEFT);
     }
   }
 
 private:
-  void improve(Index arc)
+  // The pivot at which an arc starts, as it was when the arc had this stamp.
+  struct Entry
   {
-    const Side_angles angles =
-        side_angles(m_network.surface(), m_network.arc(m_network.previous(arc)), m_network.arc(arc));
-    const Turn smaller = angles.left <= angles.right ? Turn::LEFT : Turn::RIGHT;
-    const double straight = CGAL_PI - angle_tolerance;
-    if((std::min)(angles.left, angles.right) < straight && reroute(arc, smaller))
-      return;
-    if((std::max)(angles.left, angles.right) < straight)
-      reroute(arc, smaller == Turn::LEFT ? Turn::RIGHT : Turn::LEFT);
-  }
+    Side_angles angles;
+    Index arc, stamp;
+
+    double sharpness() const { return (std::min)(angles.left, angles.right); }
+    friend bool operator<(const Entry& a, const Entry& b) // the top of the queue is the greatest
+    {
+      return a.sharpness() != b.sharpness() ? a.sharpness() > b.sharpness() : a.arc > b.arc;
+    }
+  };
 
   // Leads the curve around the given side of the pivot where `arc` starts, if that shortens it.
   bool reroute(Index arc, Turn side)
@@ -183,7 +186,7 @@ private:
   Curve_network& m_network;
   Length_unit m_unit;
   String_puller m_puller;
-  std::deque<std::pair<Index, Index> > m_queue;
+  std::priority_queue<Entry> m_queue;
   Strip m_strip;
   std::vector<Arc> m_arcs;
 };

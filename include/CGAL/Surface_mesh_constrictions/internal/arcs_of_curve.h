@@ -22,7 +22,6 @@ inline std::vector<Arc> arcs_of_curve(const Progressive_mesh& pm, const Closed_c
     {
       arcs.emplace_back();
       arcs.back().from = n.pivot;
-      arcs.back().along = null_index;
     }
     else
       arcs.back().crossings.push_back(n.halfedge);

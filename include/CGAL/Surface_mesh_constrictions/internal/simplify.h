@@ -47,10 +47,16 @@ private:
   const Visitor* m_visitor;
 };
 
-struct Never_stop
+// Ends the simplification at the first non-face triangle, or not before it ends by itself.
+struct Optional_stop_predicate
 {
+  bool stops;
+
   template <class FT, class Profile, class Size>
-  bool operator()(const FT&, const Profile&, Size, Size) const { return false; }
+  bool operator()(const FT& cost, const Profile& profile, Size initial, Size current) const
+  {
+    return stops && Non_face_triangle_stop_predicate()(cost, profile, initial, current);
+  }
 };
 
 // Simplifies a copy of the mesh as far as CGAL's edge_collapse() goes, or to the first non-face triangle that it meets,
@@ -70,13 +76,7 @@ Collapse_record simplify(const ImportedMesh& imported, bool with_refused_seeds, 
 
   const auto vim = get(boost::vertex_index, copy);
   const Reporting_visitor<std::decay_t<decltype(vim)>, Visitor> recorder(record, vim, with_refused_seeds, visitor);
-  const auto run = [&](const auto& cost, const auto& placement) {
-    const auto policies = CGAL::parameters::get_cost(cost).get_placement(placement).visitor(recorder);
-    if(first_only)
-      SMS::edge_collapse(copy, Non_face_triangle_stop_predicate(), policies);
-    else
-      SMS::edge_collapse(copy, Never_stop(), policies);
-  };
+  const Optional_stop_predicate stop = {first_only};
 
   typedef SMS::GarlandHeckbert_plane_policies<Simplification_mesh, Exact_predicates_inexact_constructions_kernel>
       Default_policies;
@@ -87,10 +87,16 @@ Collapse_record simplify(const ImportedMesh& imported, bool with_refused_seeds, 
   if constexpr(default_cost)
   {
     const Default_policies policies(copy);
-    run(policies.get_cost(), policies.get_placement());
+    SMS::edge_collapse(copy, stop,
+                       CGAL::parameters::get_cost(policies.get_cost())
+                           .get_placement(policies.get_placement())
+                           .visitor(recorder));
   }
   else
-    run(get_parameter(np, internal_np::get_cost_policy), get_parameter(np, internal_np::get_placement_policy));
+    SMS::edge_collapse(copy, stop,
+                       CGAL::parameters::get_cost(get_parameter(np, internal_np::get_cost_policy))
+                           .get_placement(get_parameter(np, internal_np::get_placement_policy))
+                           .visitor(recorder));
   return record;
 }
 

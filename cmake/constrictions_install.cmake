@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+include(CMakePackageConfigHelpers)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Surface_mesh_constrictions")
+
+write_basic_package_version_file(
+  "${CMAKE_CURRENT_BINARY_DIR}/Surface_mesh_constrictionsConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion
+  ARCH_INDEPENDENT)
+
+install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(TARGETS Surface_mesh_constrictions EXPORT Surface_mesh_constrictionsTargets)
+install(EXPORT Surface_mesh_constrictionsTargets NAMESPACE CGAL:: DESTINATION "${package_dir}")
+install(
+  FILES
+    "${CMAKE_CURRENT_LIST_DIR}/Surface_mesh_constrictionsConfig.cmake"
+    "${CMAKE_CURRENT_LIST_DIR}/constrictions_dependencies.cmake"
+    "${CMAKE_CURRENT_BINARY_DIR}/Surface_mesh_constrictionsConfigVersion.cmake"
+  DESTINATION "${package_dir}")

@@ -1,0 +1,458 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+typedef std::array<int, 3> Grid_point;
+
+// The boundary of a set of unit cubes as OFF, each square cut into two triangles. The cubes that share a vertex must
+// share faces around it.
+class Cubes
+{
+public:
+  void add_box(const Grid_point& low, const Grid_point& high)
+  {
+    for(int x = low[0]; x < high[0]; ++x)
+      for(int y = low[1]; y < high[1]; ++y)
+        for(int z = low[2]; z < high[2]; ++z)
+          m_cubes.insert({x, y, z});
+  }
+
+  std::string off()
+  {
+    for(const Grid_point& cube : m_cubes)
+      for(int axis = 0; axis < 3; ++axis)
+        for(int direction : {-1, 1})
+          add_side(cube, axis, direction);
+    std::ostringstream out;
+    out << "OFF\n" << m_points.size() << ' ' << m_triangles.size() << " 0\n";
+    for(const Grid_point& p : m_points)
+      out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+    for(const Grid_point& t : m_triangles)
+      out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+    return out.str();
+  }
+
+  int vertex(const Grid_point& p)
+  {
+    const auto inserted = m_numbers.insert({p, static_cast<int>(m_points.size())});
+    if(inserted.second)
+      m_points.push_back(p);
+    return inserted.first->second;
+  }
+
+private:
+  static Grid_point moved(Grid_point p, int axis, int by)
+  {
+    p[static_cast<std::size_t>(axis % 3)] += by;
+    return p;
+  }
+
+  void add_side(const Grid_point& cube, int axis, int direction)
+  {
+    if(m_cubes.count(moved(cube, axis, direction)) != 0)
+      return;
+    // counterclockwise seen from outside
+    const int u = direction == 1 ? axis + 1 : axis + 2, v = direction == 1 ? axis + 2 : axis + 1;
+    const Grid_point p = direction == 1 ? moved(cube, axis, 1) : cube;
+    const int a = vertex(p), b = vertex(moved(p, u, 1)), c = vertex(moved(moved(p, u, 1), v, 1)),
+              d = vertex(moved(p, v, 1));
+    m_triangles.push_back({a, b, c});
+    m_triangles.push_back({a, c, d});
+  }
+
+  std::set<Grid_point> m_cubes;
+  std::map<Grid_point, int> m_numbers;
+  std::vector<Grid_point> m_points, m_triangles;
+};
+
+// Two cubes of edge length 3 joined by a tube of width 1 and length 2: one constriction, of length 4.
+Cubes dumbbell()
+{
+  Cubes cubes;
+  cubes.add_box({0, 0, 0}, {3, 3, 3});
+  cubes.add_box({3, 1, 1}, {5, 2, 2});
+  cubes.add_box({5, 0, 0}, {8, 3, 3});
+  return cubes;
+}
+
+const char* const tetrahedron = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+
+struct Result
+{
+  int exit_code;
+  std::string out, err;
+};
+
+class Program
+  : public testing::Test
+{
+protected:
+  Program()
+  {
+    std::string name = testing::TempDir() + "program_XXXXXX";
+    folder = mkdtemp(&name[0]);
+    write("dumbbell.off", dumbbell().off());
+    write("tetrahedron.off", tetrahedron);
+  }
+
+  ~Program() override
+  {
+    std::error_code error;
+    fs::permissions(folder / "closed", fs::perms::owner_all, error);
+    fs::remove_all(folder, error);
+  }
+
+  void write(const std::string& name, const std::string& content) const
+  {
+    std::ofstream(folder / name, std::ios::binary) << content;
+  }
+
+  std::string content(const fs::path& name) const
+  {
+    std::ostringstream result;
+    result << std::ifstream(folder / name, std::ios::binary).rdbuf();
+    return result.str();
+  }
+
+  // Runs the program in the folder; the standard output goes to `out_file`.
+  Result run(const std::string& arguments, const std::string& out_file = "stdout.txt") const
+  {
+    const std::string command = "cd '" + folder.string() + "' && '" CONSTRICTIONS_PROGRAM "' " + arguments + " > " +
+                                out_file + " 2> stderr.txt < /dev/null";
+    const int status = std::system(command.c_str());
+    Result result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content("stdout.txt"), content("stderr.txt")};
+    fs::remove(folder / "stdout.txt");
+    fs::remove(folder / "stderr.txt");
+    return result;
+  }
+
+  // The program ends with this code, one line on the standard error output that holds `parts`, and leaves no file.
+  void expect_failure(int exit_code, const std::string& arguments, const std::vector<std::string>& parts) const
+  {
+    SCOPED_TRACE(arguments);
+    const std::set<fs::path> before = files();
+    const Result r = run(arguments);
+    EXPECT_EQ(r.exit_code, exit_code);
+    EXPECT_EQ(r.out, "");
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+    EXPECT_EQ(r.err.rfind("constrictions: ", 0), 0u) << r.err;
+    for(const std::string& part : parts)
+      EXPECT_NE(r.err.find(part), std::string::npos) << part << " in: " << r.err;
+    EXPECT_EQ(files(), before);
+  }
+
+  void expect_wrong_usage(const std::string& arguments) const
+  {
+    SCOPED_TRACE(arguments);
+    const std::set<fs::path> before = files();
+    const Result r = run(arguments);
+    EXPECT_EQ(r.exit_code, 2);
+    EXPECT_EQ(r.out, "");
+    EXPECT_NE(r.err, "");
+    EXPECT_EQ(files(), before);
+  }
+
+  std::set<fs::path> files() const
+  {
+    std::set<fs::path> result;
+    for(const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+      result.insert(entry.path().lexically_relative(folder));
+    return result;
+  }
+
+  fs::path folder;
+};
+
+std::vector<std::string> keys(const nlohmann::ordered_json& object)
+{
+  std::vector<std::string> result;
+  for(const auto& item : object.items())
+    result.push_back(item.key());
+  return result;
+}
+
+TEST_F(Program, detect_prints_a_table)
+{
+  const Result r = run("detect dumbbell.off");
+  EXPECT_EQ(r.exit_code, 0);
+  EXPECT_EQ(r.err, ""); // no progress bar where no terminal is
+  for(const char* word : {"id", "length", "points", "pivots", "separating", "side", "seed level", "object"})
+    EXPECT_NE(r.out.find(word), std::string::npos) << word;
+  EXPECT_NE(r.out.find("1 constriction from"), std::string::npos) << r.out;
+}
+
+TEST_F(Program, detect_prints_json_only)
+{
+  const Result r = run("detect dumbbell.off --json - --quiet");
+  EXPECT_EQ(r.exit_code, 0);
+  EXPECT_EQ(r.err, "");
+  const nlohmann::ordered_json j = nlohmann::ordered_json::parse(r.out);
+  typedef std::vector<std::string> Keys;
+  EXPECT_EQ(keys(j), (Keys{"format", "mesh", "constrictions", "statistics", "seconds", "peak_rss_bytes"}));
+  EXPECT_EQ(j["format"], "constrictions/1");
+
+  const auto& mesh = j["mesh"];
+  EXPECT_EQ(keys(mesh), (Keys{"file", "vertices", "faces", "components", "genus", "area"}));
+  EXPECT_EQ(mesh["file"], "dumbbell.off");
+  EXPECT_EQ(mesh["vertices"], 116);
+  EXPECT_EQ(mesh["faces"], 228);
+  EXPECT_EQ(mesh["components"], 1);
+  EXPECT_EQ(mesh["genus"], 0);
+  EXPECT_DOUBLE_EQ(mesh["area"], 114);
+
+  ASSERT_EQ(j["constrictions"].size(), 1u);
+  const auto& c = j["constrictions"][0];
+  EXPECT_EQ(keys(c), (Keys{"id", "length", "points", "locations", "pivots", "certificate", "side", "separating",
+                           "areas", "isoperimetric_ratio", "prominence", "dominated_by", "seed"}));
+  EXPECT_EQ(c["id"], 0);
+  EXPECT_DOUBLE_EQ(c["length"], 4);
+  EXPECT_EQ(c["points"].size(), c["locations"].size());
+  EXPECT_EQ(c["certificate"], "not_certified: no exact certificate has been computed");
+  EXPECT_EQ(c["side"], "object");
+  EXPECT_EQ(c["separating"], true);
+  EXPECT_DOUBLE_EQ(c["areas"][0].get<double>() + c["areas"][1].get<double>(), 114);
+  EXPECT_TRUE(c["prominence"].is_null());
+  EXPECT_TRUE(c["dominated_by"].is_null());
+  EXPECT_EQ(keys(c["seed"]), (Keys{"level", "vertices", "origin"}));
+  EXPECT_EQ(c["seed"]["origin"], "non_face_triangle");
+  ASSERT_FALSE(c["pivots"].empty());
+  for(const auto& pivot : c["pivots"])
+  {
+    EXPECT_EQ(keys(pivot), (Keys{"vertex", "point", "left_angle", "right_angle"}));
+    EXPECT_LT(pivot["point"], c["points"].size());
+    EXPECT_GE(pivot["left_angle"].get<double>(), 3.1415926535);
+    EXPECT_GE(pivot["right_angle"].get<double>(), 3.1415926535);
+  }
+
+  const auto& statistics = j["statistics"];
+  EXPECT_EQ(keys(statistics), (Keys{"collapses", "seeds", "degenerate", "merged", "not_simple", "leaky_bands"}));
+  EXPECT_EQ(statistics["seeds"].get<int>(), statistics["degenerate"].get<int>() + statistics["merged"].get<int>() +
+                                                statistics["not_simple"].get<int>() + 1);
+  EXPECT_EQ(keys(j["seconds"]), (Keys{"read", "simplify", "refine", "tighten", "certify", "total"}));
+  EXPECT_EQ(j["seconds"]["certify"], 0);
+  EXPECT_GT(j["seconds"]["total"], j["seconds"]["simplify"]);
+  EXPECT_GT(j["peak_rss_bytes"], 1000000);
+}
+
+// The points follow from the locations: faces as numbered in the file, corners in the order of the file.
+TEST_F(Program, locations_are_those_of_the_file)
+{
+  std::istringstream off(content("dumbbell.off"));
+  std::string word;
+  std::size_t nv, nf, ne, n;
+  off >> word >> nv >> nf >> ne;
+  std::vector<std::array<double, 3> > points(nv);
+  for(auto& p : points)
+    off >> p[0] >> p[1] >> p[2];
+  std::vector<std::array<std::size_t, 3> > faces(nf);
+  for(auto& f : faces)
+    off >> n >> f[0] >> f[1] >> f[2];
+
+  const json j = json::parse(run("detect dumbbell.off --json -").out);
+  for(const json& c : j.at("constrictions"))
+    for(std::size_t i = 0; i < c.at("points").size(); ++i)
+    {
+      const json& location = c.at("locations").at(i);
+      const auto& face = faces.at(location.at("face").get<std::size_t>());
+      for(std::size_t axis = 0; axis < 3; ++axis)
+      {
+        double x = 0;
+        for(std::size_t corner = 0; corner < 3; ++corner)
+          x += location.at("barycentric").at(corner).get<double>() * points[face[corner]][axis];
+        EXPECT_NEAR(x, c.at("points").at(i).at(axis).get<double>(), 1e-12);
+      }
+    }
+}
+
+TEST_F(Program, output_folder)
+{
+  const Result r = run("detect dumbbell.off -o deep/results");
+  EXPECT_EQ(r.exit_code, 0);
+  EXPECT_EQ(r.out, "");
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(files(), (std::set<fs::path>{"dumbbell.off", "tetrahedron.off", "deep", "deep/results",
+                                         "deep/results/constrictions.json",
+                                         "deep/results/constrictions.polylines.txt"}));
+  const json j = json::parse(content("deep/results/constrictions.json"));
+  const json& points = j.at("constrictions").at(0).at("points");
+
+  std::istringstream polylines(content("deep/results/constrictions.polylines.txt"));
+  std::size_t n = 0;
+  polylines >> n;
+  ASSERT_EQ(n, points.size() + 1);
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t axis = 0; axis < 3; ++axis)
+    {
+      double x;
+      polylines >> x;
+      EXPECT_EQ(x, points.at(i % points.size()).at(axis).get<double>());
+    }
+  EXPECT_TRUE(polylines.good());
+  EXPECT_FALSE(polylines >> n);
+}
+
+TEST_F(Program, existing_outputs_are_replaced)
+{
+  write("a.json", "old");
+  write("target.txt", "old");
+  fs::create_symlink("target.txt", folder / "link.txt");
+  EXPECT_EQ(run("detect dumbbell.off --json a.json --polylines link.txt").exit_code, 0);
+  EXPECT_EQ(json::parse(content("a.json")).at("format"), "constrictions/1");
+  EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
+  EXPECT_NE(content("target.txt"), "old");
+  EXPECT_EQ(files(), (std::set<fs::path>{"a.json", "dumbbell.off", "link.txt", "target.txt", "tetrahedron.off"}));
+}
+
+TEST_F(Program, no_constrictions_are_no_failure)
+{
+  const Result r = run("detect tetrahedron.off");
+  EXPECT_EQ(r.exit_code, 0);
+  EXPECT_NE(r.out.find("0 constrictions"), std::string::npos) << r.out;
+  EXPECT_EQ(run("detect tetrahedron.off -o results").exit_code, 0);
+  EXPECT_EQ(content("results/constrictions.polylines.txt"), "");
+  EXPECT_TRUE(json::parse(content("results/constrictions.json")).at("constrictions").empty());
+}
+
+TEST_F(Program, policies)
+{
+  for(const char* policy : {"gh", "lt", "length"})
+  {
+    const Result r = run(std::string("detect dumbbell.off --all --no-certify --json - --policy ") + policy);
+    ASSERT_EQ(r.exit_code, 0) << policy;
+    for(const json& c : json::parse(r.out).at("constrictions"))
+      EXPECT_NEAR(c.at("length").get<double>(), 4, 1e-12) << policy;
+  }
+}
+
+TEST_F(Program, tighten)
+{
+  Cubes cubes = dumbbell();
+  const std::string off = cubes.off();
+  write("dumbbell.off", off);
+  std::ostringstream loops;
+  loops << "# around the tube, and a face\n";
+  for(const Grid_point& p : {Grid_point{4, 1, 1}, {4, 2, 1}, {4, 2, 2}, {4, 1, 2}})
+    loops << cubes.vertex(p) << ' ';
+  loops << "\n\n";
+  for(const Grid_point& p : {Grid_point{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}})
+    loops << cubes.vertex(p) << ' ';
+  write("loops.txt", loops.str());
+
+  const Result table = run("tighten dumbbell.off --loops loops.txt");
+  EXPECT_EQ(table.exit_code, 0);
+  EXPECT_EQ(table.err, "");
+  EXPECT_NE(table.out.find("loop on line 4: degenerate"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("1 constriction from 2 seed curves"), std::string::npos) << table.out;
+
+  const json j = json::parse(run("tighten dumbbell.off --loops loops.txt --json -").out);
+  ASSERT_EQ(j.at("constrictions").size(), 1u);
+  const json& c = j.at("constrictions").at(0);
+  EXPECT_DOUBLE_EQ(c.at("length").get<double>(), 4);
+  EXPECT_EQ(c.at("seed").at("level"), 0);
+  EXPECT_EQ(c.at("seed").at("origin"), "user");
+  EXPECT_EQ(c.at("seed").at("vertices").size(), 4u);
+  EXPECT_EQ(j.at("statistics").at("seeds"), 2);
+  EXPECT_EQ(j.at("statistics").at("degenerate"), 1);
+  EXPECT_EQ(j.at("statistics").at("collapses"), 0);
+}
+
+TEST_F(Program, unusable_loops)
+{
+  const auto expect_error = [this](const std::string& loops, const std::string& line) {
+    write("loops.txt", loops);
+    expect_failure(1, "tighten dumbbell.off --loops loops.txt", {"loops.txt: " + line});
+  };
+  expect_error("# none\n0 1 one\n", "line 2: ");
+  expect_error("# none\n\n0 1 1000\n", "line 3: ");
+  expect_error("# no edges\n0 100 50\n", "line 2: ");
+  expect_failure(1, "tighten dumbbell.off --loops missing.txt", {"missing.txt: no such file"});
+  expect_failure(1, "tighten missing.off --loops loops.txt", {"missing.off: no such file"});
+}
+
+TEST_F(Program, unusable_meshes)
+{
+  write("open.off", std::string(tetrahedron).replace(4, 3, "4 3"));
+  write("nan.off", std::string(tetrahedron).replace(std::string(tetrahedron).find("0 1 0"), 5, "0 n 0"));
+  write("infinite.off", std::string(tetrahedron).replace(std::string(tetrahedron).find("0 1 0"), 5, "0 inf 0"));
+  write("flat.off", std::string(tetrahedron).replace(std::string(tetrahedron).find("0 1 0"), 5, "1 0 0"));
+  write("empty.off", "");
+  expect_failure(1, "detect open.off", {"open.off: ", "not closed", "face"});
+  expect_failure(1, "detect nan.off", {"nan.off: ", "line 5", "vertex 2"});
+  expect_failure(1, "detect infinite.off", {"infinite.off: ", "vertex 2", "inf"});
+  expect_failure(1, "detect flat.off", {"flat.off: ", "vertices 1 and 2", "face"});
+  expect_failure(1, "detect empty.off", {"empty.off: "});
+  expect_failure(1, "detect missing.off --json a.json", {"missing.off: "});
+  expect_failure(1, "detect .", {"folder"});
+  expect_failure(1, "detect infinite.off --json a.json --polylines a.txt", {"infinite.off: "});
+}
+
+TEST_F(Program, wrong_usage)
+{
+  expect_wrong_usage("");
+  expect_wrong_usage("detect");
+  expect_wrong_usage("detekt dumbbell.off");
+  expect_wrong_usage("detect dumbbell.off tetrahedron.off");
+  expect_wrong_usage("detect dumbbell.off --unknown");
+  expect_wrong_usage("detect dumbbell.off --policy best");
+  expect_wrong_usage("detect dumbbell.off --policy 0");
+  expect_wrong_usage("detect dumbbell.off --json");
+  expect_wrong_usage("detect dumbbell.off --json ''");
+  expect_wrong_usage("detect dumbbell.off -o ''");
+  expect_wrong_usage("tighten dumbbell.off");
+  // nothing is overwritten by mistake
+  expect_wrong_usage("detect dumbbell.off --json dumbbell.off");
+  expect_wrong_usage("detect dumbbell.off --json a.txt --polylines ./a.txt");
+  expect_wrong_usage("detect dumbbell.off -o . --polylines constrictions.json");
+}
+
+TEST_F(Program, help_and_version)
+{
+  for(const char* arguments : {"--help", "detect --help", "tighten --help", "--version"})
+  {
+    const Result r = run(arguments);
+    EXPECT_EQ(r.exit_code, 0) << arguments;
+    EXPECT_EQ(r.err, "") << arguments;
+    EXPECT_NE(r.out, "") << arguments;
+  }
+  const std::string help = run("--help").out;
+  for(const char* word : {"detect", "tighten", "Examples", "Exit codes"})
+    EXPECT_NE(help.find(word), std::string::npos) << word;
+}
+
+TEST_F(Program, unwritable_outputs)
+{
+  write("file", "");
+  expect_failure(3, "detect dumbbell.off --json nowhere/a.json", {"nowhere/a.json: "});
+  expect_failure(3, "detect dumbbell.off -o file", {"file: "});
+  expect_failure(3, "detect dumbbell.off -o file/folder", {"file/folder: "});
+  expect_failure(3, "detect dumbbell.off --polylines .", {"folder"});
+  if(!fs::exists("/dev/full"))
+    return;
+  expect_failure(3, "detect dumbbell.off --json /dev/full", {"/dev/full: "});
+  expect_failure(3, "detect dumbbell.off --json /dev/full --polylines a.txt", {"/dev/full: "});
+  EXPECT_EQ(run("detect dumbbell.off", "/dev/full").exit_code, 3);
+  EXPECT_EQ(run("detect dumbbell.off --json -", "/dev/full").exit_code, 3);
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+} // namespace

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/test_meshes.h"
+
+#include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
+#include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
+
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_constrictions;
+namespace SMS = CGAL::Surface_mesh_simplification;
+using SMC::Index;
+using SMC::Progressive_mesh;
+
+struct Never_stop
+{
+  template <class FT, class Profile, class Size>
+  bool operator()(const FT&, const Profile&, Size, Size) const { return false; }
+};
+
+SMC::Collapse_record record_of(test_meshes::Mesh mesh)
+{
+  SMC::Collapse_record record;
+  const auto vim = get(boost::vertex_index, mesh);
+  SMS::edge_collapse(mesh, Never_stop(),
+                     CGAL::parameters::get_cost(SMS::Edge_length_cost<test_meshes::Mesh>())
+                         .get_placement(SMS::Midpoint_placement<test_meshes::Mesh>())
+                         .visitor(SMC::Collapse_recording_visitor<decltype(vim)>(record, vim)));
+  return record;
+}
+
+// Connectivity and positions of the current surface, bit for bit (FNV-1a).
+std::uint64_t hash(const Progressive_mesh& pm)
+{
+  std::uint64_t h = 14695981039346656037u;
+  const auto add = [&h](const void* data, std::size_t size) {
+    const unsigned char* const bytes = static_cast<const unsigned char*>(data);
+    for(std::size_t i = 0; i < size; ++i)
+      h = (h ^ bytes[i]) * 1099511628211u;
+  };
+  const auto add_index = [&](Index i) { add(&i, sizeof(i)); };
+  for(Index f = 0; f < pm.number_of_face_ids(); ++f)
+    if(pm.is_face(f))
+      for(Index k = 3 * f; k < 3 * f + 3; ++k)
+      {
+        add_index(k);
+        add_index(pm.source(k));
+        add_index(pm.opposite(k));
+      }
+  for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+    if(pm.is_vertex(v))
+    {
+      add_index(v);
+      add_index(pm.outgoing(v));
+      for(int i = 0; i < 3; ++i)
+      {
+        const double x = pm.point(v)[i];
+        add(&x, sizeof(x));
+      }
+    }
+  return h;
+}
+
+void expect_valid(const Progressive_mesh& pm)
+{
+  std::size_t vertices = 0, faces = 0;
+  for(Index f = 0; f < pm.number_of_face_ids(); ++f)
+  {
+    if(!pm.is_face(f))
+      continue;
+    ++faces;
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      ASSERT_EQ(pm.opposite(pm.opposite(h)), h);
+      ASSERT_EQ(pm.source(pm.opposite(h)), pm.target(h));
+      ASSERT_TRUE(pm.is_face(pm.face(pm.opposite(h))));
+      ASSERT_TRUE(pm.is_vertex(pm.source(h)));
+    }
+  }
+  for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+    if(pm.is_vertex(v))
+    {
+      ++vertices;
+      ASSERT_EQ(pm.source(pm.outgoing(v)), v);
+      ASSERT_TRUE(pm.is_face(pm.face(pm.outgoing(v))));
+    }
+  EXPECT_EQ(vertices, pm.number_of_vertex_ids() - pm.level());
+  EXPECT_EQ(faces, pm.number_of_face_ids() - 2 * pm.level());
+}
+
+TEST(Progressive_mesh, RewindingRestoresEveryLevelBitForBit)
+{
+  for(unsigned seed = 0; seed < 6; ++seed)
+  {
+    const test_meshes::Soup soup = seed % 2 == 0 ? test_meshes::dumbbell(0.05, seed) : test_meshes::torus(0.1, seed);
+    const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::relabelled(soup, seed));
+    const SMC::Collapse_record record = record_of(mesh);
+    ASSERT_GT(record.collapses.size(), 200u);
+
+    Progressive_mesh pm = SMC::make_progressive_mesh(mesh, std::vector<SMC::Edge_collapse>());
+    std::vector<std::uint64_t> hashes = {hash(pm)};
+    for(const SMC::Edge_collapse& c : record.collapses)
+    {
+      pm.append_collapse(c);
+      hashes.push_back(hash(pm));
+    }
+    ASSERT_EQ(pm.level(), record.collapses.size());
+    expect_valid(pm);
+    while(pm.level() > 0)
+    {
+      const Progressive_mesh::Split next = pm.next_split(), done = pm.split();
+      ASSERT_EQ(next.left, done.left);
+      ASSERT_EQ(pm.source(done.left), done.removed);
+      ASSERT_EQ(pm.target(done.left), done.kept);
+      ASSERT_EQ(hash(pm), hashes[pm.level()]) << "down to level " << pm.level();
+    }
+    expect_valid(pm);
+    while(pm.level() < pm.number_of_collapses())
+    {
+      pm.collapse();
+      ASSERT_EQ(hash(pm), hashes[pm.level()]) << "up to level " << pm.level();
+    }
+    for(std::size_t level : {hashes.size() / 2, hashes.size() / 3, hashes.size() - 1, std::size_t(0)})
+    {
+      pm.go_to_level(level);
+      ASSERT_EQ(hash(pm), hashes[level]);
+    }
+  }
+}
+
+TEST(Progressive_mesh, ReplayGivesTheMeshThatEdgeCollapseLeft)
+{
+  const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.05, 7));
+  test_meshes::Mesh simplified = mesh;
+  SMC::Collapse_record record;
+  const auto vim = get(boost::vertex_index, simplified);
+  SMS::edge_collapse(simplified, Never_stop(),
+                     CGAL::parameters::get_cost(SMS::Edge_length_cost<test_meshes::Mesh>())
+                         .get_placement(SMS::Midpoint_placement<test_meshes::Mesh>())
+                         .visitor(SMC::Collapse_recording_visitor<decltype(vim)>(record, vim)));
+  const Progressive_mesh pm = SMC::make_progressive_mesh(mesh, record.collapses);
+  for(auto v : simplified.vertices())
+  {
+    ASSERT_TRUE(pm.is_vertex(v));
+    EXPECT_EQ(pm.point(v), simplified.point(v));
+  }
+  std::size_t faces = 0;
+  for(Index f = 0; f < pm.number_of_face_ids(); ++f)
+    faces += pm.is_face(f);
+  EXPECT_EQ(faces, simplified.number_of_faces());
+  for(auto h : simplified.halfedges())
+  {
+    const Index g = pm.halfedge(simplified.source(h), simplified.target(h));
+    ASSERT_NE(g, SMC::null_index);
+    EXPECT_EQ(pm.target(pm.next(g)), simplified.target(simplified.next(h)));
+  }
+}
+
+TEST(Progressive_mesh, ACollapseTakesAtMost96Bytes)
+{
+  EXPECT_LE(Progressive_mesh::bytes_per_collapse(), 96u);
+  EXPECT_GE(Progressive_mesh::bytes_per_collapse(), sizeof(Progressive_mesh::Point) + sizeof(Index));
+}
+
+} // namespace

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_COMPUTATIONS_H
+#define CONSTRICTIONS_COMPUTATIONS_H
+
+#include "loops_file.h"
+#include "report.h"
+#include "stage_monitor.h"
+
+#include <vector>
+
+namespace constrictions {
+
+/// \name Detection
+/// One function for each policy of the simplification, each in a file of its own: they take long to compile.
+/// @{
+std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, Stage_monitor& monitor);
+std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, Stage_monitor& monitor);
+std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, Stage_monitor& monitor);
+/// @}
+
+/// tightens the loops; fills the constrictions, the statistics and the remarks of the report.
+void tighten_loops(const Loops& loops, Stage_monitor& monitor, Report& report);
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_COMPUTATIONS_H

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "computations.h"
+#include "input_file.h"
+#include "options.h"
+#include "output_file.h"
+
+#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+
+#include <unistd.h>
+
+#include <chrono>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace constrictions {
+
+namespace {
+
+using CGAL::Surface_mesh_constrictions::Detection_stage;
+using CGAL::Surface_mesh_constrictions::Input_defect;
+using CGAL::Surface_mesh_constrictions::Invalid_input;
+
+double seconds_since(std::chrono::steady_clock::time_point begin)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+// Before the long computation.
+void check_outputs(const Options& options)
+{
+  if(!options.folder.empty())
+    create_folder(options.folder);
+  for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
+    for(const std::string& file : files)
+      check_writable(file);
+}
+
+void write_outputs(const Options& options, const Report& report)
+{
+  std::vector<Output_file> files;
+  const bool wants_json = options.prints_json() || !options.json_files().empty();
+  const std::string json = wants_json ? report_as_json(report) : std::string();
+  for(const std::string& name : options.json_files())
+    files.push_back({name, json});
+  for(const std::string& name : options.polylines_files())
+    files.push_back({name, report_as_polylines(report)});
+  write_files(files);
+  if(options.prints_json())
+    write_to_standard_output(json);
+  if(options.prints_table())
+    write_to_standard_output(report_as_table(report));
+}
+
+void detect(const Options& options, Stage_monitor& monitor, Report& report)
+{
+  switch(options.policy)
+  {
+    case Policy::GARLAND_HECKBERT:
+      report.constrictions = detect_with_garland_heckbert(report.mesh, monitor);
+      break;
+    case Policy::LINDSTROM_TURK:
+      report.constrictions = detect_with_lindstrom_turk(report.mesh, monitor);
+      break;
+    case Policy::EDGE_LENGTH:
+      report.constrictions = detect_with_edge_length(report.mesh, monitor);
+      break;
+  }
+  report.statistics = monitor.statistics;
+}
+
+void tighten(const Options& options, const Loops& loops, Stage_monitor& monitor, Report& report)
+{
+  try
+  {
+    tighten_loops(loops, monitor, report);
+  }
+  catch(const Invalid_input& e)
+  {
+    if(e.defect() != Input_defect::INVALID_LOOP)
+      throw;
+    throw Input_file_error(options.loops, "line " + std::to_string(loops.lines.at(e.element())) + ": " + e.what());
+  }
+}
+
+void run(const Options& options)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  Report report;
+  report.mesh_file = options.mesh;
+  report.mesh = read_mesh_file(options.mesh, report.is_turned);
+  report.seconds.read = seconds_since(begin);
+  Loops loops;
+  if(options.command == Command::TIGHTEN)
+    loops = read_loops_file(options.loops, report.mesh);
+  check_outputs(options);
+
+  {
+    Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
+    if(options.command == Command::DETECT)
+      detect(options, monitor, report);
+    else
+      tighten(options, loops, monitor, report);
+    report.seconds.simplify = monitor.seconds(Detection_stage::SIMPLIFICATION);
+    report.seconds.refine = monitor.seconds(Detection_stage::REFINEMENT);
+    report.seconds.tighten = monitor.seconds(Detection_stage::TIGHTENING);
+  }
+  report.seconds.total = seconds_since(begin);
+  write_outputs(options, report);
+}
+
+// The exit code that belongs to the exception being handled, after its message has been shown.
+int report_failure(const Options& options)
+{
+  const int unusable_input = 1, unwritable_output = 3;
+  try
+  {
+    throw;
+  }
+  catch(const Output_file_error& e)
+  {
+    std::cerr << "constrictions: " << e.what() << std::endl;
+    return unwritable_output;
+  }
+  catch(const Input_file_error& e)
+  {
+    std::cerr << "constrictions: " << e.what() << std::endl;
+  }
+  catch(const std::bad_alloc&)
+  {
+    std::cerr << "constrictions: " << printable(options.mesh) << ": not enough memory" << std::endl;
+  }
+  catch(const std::exception& e)
+  {
+    std::cerr << "constrictions: " << printable(options.mesh) << ": " << printable(e.what()) << std::endl;
+  }
+  return unusable_input;
+}
+
+} // namespace
+
+} // namespace constrictions
+
+int main(int argc, char** argv)
+{
+  constrictions::Options options;
+  if(const std::optional<int> exit_code = constrictions::parse_options(argc, argv, options))
+    return *exit_code;
+  try
+  {
+    constrictions::run(options);
+    return 0;
+  }
+  catch(...)
+  {
+    return constrictions::report_failure(options);
+  }
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstddef>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+namespace constrictions {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const description =
+    "Finds the constrictions of a surface: closed curves of locally minimal length, where a rubber band around the\n"
+    "object stays put. The surface is a closed triangle mesh in an OFF, OBJ, PLY or STL file.\n";
+
+const char* const examples =
+    "\nExamples:\n"
+    "  constrictions detect bone.ply\n"
+    "      prints a table of the constrictions of bone.ply\n"
+    "  constrictions detect bone.ply -o result\n"
+    "      writes result/constrictions.json and result/constrictions.polylines.txt\n"
+    "  constrictions tighten bone.ply --loops loops.txt --json -\n"
+    "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
+    "\n"
+    "Exit codes: 0 done (there may be no constrictions), 1 the input is not a usable mesh, 2 wrong usage,\n"
+    "3 an output could not be written.\n";
+
+void add_common_options(CLI::App& command, Options& options)
+{
+  const CLI::Validator not_empty([](const std::string& name) { return name.empty() ? "a name is missing" : ""; }, "");
+  const CLI::Validator not_dash([](const std::string& name) { return name == "-" ? "give the name of a file" : ""; },
+                                "");
+
+  command.add_option("MESH", options.mesh, "closed triangle mesh (OFF, OBJ, PLY or STL)")
+      ->type_name("FILE")
+      ->required()
+      ->check(not_empty);
+  command.add_option("-o", options.folder,
+                     "write constrictions.json and constrictions.polylines.txt into the folder DIR; it is created if "
+                     "missing")
+      ->type_name("DIR")
+      ->check(not_empty);
+  command.add_option("--json", options.json, "write everything that is known of the curves as JSON; - prints it")
+      ->type_name("FILE|-")
+      ->check(not_empty);
+  command.add_option("--polylines", options.polylines, "write the points of the curves in CGAL's polylines format")
+      ->type_name("FILE")
+      ->check(not_empty)
+      ->check(not_dash);
+  command.add_flag("--all", "report every distinct closed geodesic found; what this version always does");
+  command.add_flag("--no-certify", "compute no exact certificates; what this version always does");
+  command.add_flag("--quiet", options.quiet, "show no progress bar");
+  command.footer("\nWithout -o, --json and --polylines a table is printed.\n");
+}
+
+// Files that would overwrite each other or the input are a mistake on the command line.
+void check_files(const Options& options)
+{
+  std::vector<std::string> names = {options.mesh};
+  if(!options.loops.empty())
+    names.push_back(options.loops);
+  const std::size_t inputs = names.size();
+  for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
+    names.insert(names.end(), files.begin(), files.end());
+
+  std::vector<fs::path> places;
+  for(const std::string& name : names)
+  {
+    std::error_code error;
+    const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
+    for(std::size_t i = 0; i < places.size(); ++i)
+      if(places.size() >= inputs && places[i] == place && !fs::is_other(place, error))
+        throw CLI::ValidationError(name, i < inputs ? "the output would overwrite the input"
+                                                    : "two outputs would go to the same file");
+    places.push_back(place);
+  }
+}
+
+// A file in the folder asked for, and the file asked for.
+std::vector<std::string> files(const std::string& folder, const char* name_in_folder, const std::string& file)
+{
+  std::vector<std::string> result;
+  if(!folder.empty())
+    result.push_back((fs::path(folder) / name_in_folder).string());
+  if(!file.empty() && file != "-")
+    result.push_back(file);
+  return result;
+}
+
+} // namespace
+
+std::vector<std::string> Options::json_files() const
+{
+  return files(folder, "constrictions.json", json);
+}
+
+std::vector<std::string> Options::polylines_files() const
+{
+  return files(folder, "constrictions.polylines.txt", polylines);
+}
+
+std::optional<int> parse_options(int argc, char** argv, Options& options)
+{
+  CLI::App app(description, "constrictions");
+  app.set_version_flag("--version", "constrictions " CONSTRICTIONS_VERSION);
+  app.require_subcommand(1);
+  app.footer(examples);
+
+  CLI::App& detect = *app.add_subcommand("detect", "find the constrictions of a mesh");
+  add_common_options(detect, options);
+  std::string policy = "gh";
+  detect
+      .add_option("--policy", policy,
+                  "how the mesh is simplified in the search for curves: gh Garland-Heckbert (default), lt "
+                  "Lindstrom-Turk, length shortest edge first")
+      ->type_name("gh|lt|length")
+      ->check(CLI::IsMember({"gh", "lt", "length"}).description(""));
+
+  CLI::App& tighten = *app.add_subcommand("tighten", "shorten given loops until they are constrictions");
+  add_common_options(tighten, options);
+  tighten
+      .add_option("--loops", options.loops,
+                  "closed loops of mesh edges, one a line: vertex numbers counted from 0 and separated by blanks, the "
+                  "first not repeated; lines that start with # are passed over")
+      ->type_name("FILE")
+      ->required();
+
+  try
+  {
+    app.parse(argc, argv);
+    options.command = tighten.parsed() ? Command::TIGHTEN : Command::DETECT;
+    options.policy = policy == "gh"   ? Policy::GARLAND_HECKBERT
+                     : policy == "lt" ? Policy::LINDSTROM_TURK
+                                      : Policy::EDGE_LENGTH;
+    check_files(options);
+  }
+  catch(const CLI::ParseError& e)
+  {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  return std::nullopt;
+}
+
+} // namespace constrictions

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_OPTIONS_H
+#define CONSTRICTIONS_OPTIONS_H
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace constrictions {
+
+enum class Command { DETECT, TIGHTEN };
+
+enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
+
+/// What the user asks for. A file or folder that was not asked for has an empty name.
+struct Options
+{
+  Command command = Command::DETECT;
+  std::string mesh;
+  std::string loops;
+  std::string folder;
+  std::string json; ///< "-" is the standard output
+  std::string polylines;
+  Policy policy = Policy::GARLAND_HECKBERT;
+  bool quiet = false;
+
+  bool prints_json() const { return json == "-"; }
+  bool prints_table() const { return folder.empty() && json.empty() && polylines.empty(); }
+
+  std::vector<std::string> json_files() const;
+  std::vector<std::string> polylines_files() const;
+};
+
+/// reads the command line. Returns the exit code if there is nothing to be done: after a request for help, and, with a
+/// message on the standard error output, when the command line is wrong.
+std::optional<int> parse_options(int argc, char** argv, Options& options);
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_OPTIONS_H

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_ORIENT_SOUP_H
+#define CONSTRICTIONS_ORIENT_SOUP_H
+
+#include "triangle_soup.h"
+
+#include <vector>
+
+namespace constrictions {
+
+/// turns faces round until any two neighbours have the same orientation. A face that is turned keeps its first corner.
+/// Returns the numbers of the faces that were turned, or nothing if the faces cannot be oriented that way or do not
+/// form a manifold; the soup is unchanged then.
+std::vector<Index> orient_soup(Triangle_soup& soup);
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_ORIENT_SOUP_H

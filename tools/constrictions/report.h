@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_REPORT_H
+#define CONSTRICTIONS_REPORT_H
+
+#include "mesh_file.h"
+
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+
+#include <string>
+#include <vector>
+
+namespace constrictions {
+
+typedef CGAL::Surface_mesh_constrictions::Constriction<Mesh> Constriction;
+
+/// Wall time of the stages.
+struct Stage_seconds
+{
+  double read = 0;
+  double simplify = 0;
+  double refine = 0;
+  double tighten = 0;
+  double total = 0;
+};
+
+/// What a run of the program has found.
+struct Report
+{
+  std::string mesh_file;
+  Mesh mesh;
+  std::vector<bool> is_turned; ///< the faces that were turned round, see `read_mesh_file()`
+  std::vector<Constriction> constrictions;
+  CGAL::Surface_mesh_constrictions::Detection_statistics statistics;
+  Stage_seconds seconds;
+  std::vector<std::string> remarks; ///< lines about loops of the user that are no constrictions
+};
+
+/// the report in the format "constrictions/1", in one line
+std::string report_as_json(const Report& report);
+
+/// the report as a table for reading
+std::string report_as_table(const Report& report);
+
+/// the curves in CGAL's `.polylines.txt` format, one line each
+std::string report_as_polylines(const Report& report);
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_REPORT_H

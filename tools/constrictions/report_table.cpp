@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report.h"
+
+#include <cstddef>
+#include <iomanip>
+#include <sstream>
+
+namespace constrictions {
+
+namespace {
+
+const char* name(CGAL::Surface_mesh_constrictions::Side side)
+{
+  using CGAL::Surface_mesh_constrictions::Side;
+  return side == Side::OBJECT ? "object" : side == Side::COMPLEMENT ? "complement" : "mixed";
+}
+
+} // namespace
+
+std::string report_as_table(const Report& report)
+{
+  using std::setw;
+
+  std::ostringstream out;
+  if(!report.constrictions.empty())
+    out << setw(5) << "id" << setw(14) << "length" << setw(8) << "points" << setw(8) << "pivots" << setw(12)
+        << "separating" << setw(12) << "side" << setw(12) << "seed level" << '\n';
+  for(std::size_t id = 0; id < report.constrictions.size(); ++id)
+  {
+    const Constriction& c = report.constrictions[id];
+    out << setw(5) << id << setw(14) << c.length() << setw(8) << c.locations().size() << setw(8) << c.pivots().size()
+        << setw(12) << (c.is_separating() ? "yes" : "no") << setw(12) << name(c.side()) << setw(12)
+        << c.seeds().front().level << '\n';
+  }
+  for(const std::string& remark : report.remarks)
+    out << remark << '\n';
+
+  const std::size_t n = report.constrictions.size();
+  const auto& s = report.statistics;
+  out << n << (n == 1 ? " constriction" : " constrictions") << " from " << s.seeds
+      << (s.seeds == 1 ? " seed curve" : " seed curves") << " (" << s.degenerate << " degenerate, " << s.not_simple
+      << " not simple, " << s.merged << " merged)\n";
+  return out.str();
+}
+
+} // namespace constrictions
