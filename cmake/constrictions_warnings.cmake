@@ -2,7 +2,8 @@
 
 # For the project's own programs only; users of the headers choose their own warnings.
 add_library(constrictions_warnings INTERFACE)
+target_compile_options(constrictions_warnings INTERFACE -Wall -Wextra -Wpedantic -Werror)
+
+# False alarms of GCC: inside Boost's and Eigen's headers, once they are inlined; and for get(map, source(h, tm)).
 target_compile_options(constrictions_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Werror
-  # GCC gives it inside Boost's and Eigen's headers too, once they are inlined.
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-dangling-reference>")

@@ -83,6 +83,7 @@ public:
     double flat_band_width = 0;
     bool separating = false;
     std::array<double, 2> areas = {0, 0};
+    double isoperimetric_ratio = 0;
     Side side = Side::MIXED;
   };
 
@@ -112,11 +113,7 @@ public:
   const std::array<double, 2>& areas() const { return m_data->areas; }
 
   /// length^2 / (4 pi A), with A the smaller of the two areas
-  double isoperimetric_ratio() const
-  {
-    const double area = (std::min)(m_data->areas[0], m_data->areas[1]);
-    return m_data->length * m_data->length / (4 * CGAL_PI * area);
-  }
+  double isoperimetric_ratio() const { return m_data->isoperimetric_ratio; }
 
   Side side() const { return m_data->side; }
 

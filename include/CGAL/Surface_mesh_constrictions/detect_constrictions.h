@@ -202,6 +202,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
 
   Detection_statistics statistics;
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
+  imported.rescale();
   const std::size_t expected_collapses = imported.points.size();
 
   visitor.on_stage_begin(Detection_stage::SIMPLIFICATION, expected_collapses);

@@ -17,6 +17,7 @@
 #include <iterator>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -76,8 +77,9 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
                                     get_const_property_map(CGAL::vertex_point, tm));
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
 
-  const internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
-  const Progressive_mesh pm(imported.table, imported.points);
+  internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
+  imported.rescale();
+  const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
   std::unordered_map<std::size_t, Index> index;
   for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
     index.emplace(get(vim, imported.vertex(v)), v);

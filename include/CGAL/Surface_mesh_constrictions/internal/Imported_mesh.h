@@ -13,6 +13,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -99,6 +100,23 @@ public:
 
   const TriangleMesh& mesh() const { return m_tm; }
 
+  // Divides coordinates by a power of two if they are so large or so small that their products would overflow or vanish.
+  void rescale()
+  {
+    double greatest = 0;
+    for(const Point& p : points)
+      greatest = (std::max)({greatest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+    const int exponent = std::ilogb(greatest);
+    if(std::abs(exponent) <= 64)
+      return;
+    m_unit = std::ldexp(1.0, exponent);
+    for(Point& p : points)
+      p = Point(std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent), std::ldexp(p.z(), -exponent));
+  }
+
+  // what coordinates have been divided by
+  double unit() const { return m_unit; }
+
   vertex_descriptor vertex(Index v) const { return m_vertices[v]; }
 
   halfedge_descriptor halfedge_of(Index h) const
@@ -117,6 +135,7 @@ private:
   }
 
   const TriangleMesh& m_tm;
+  double m_unit = 1;
   std::vector<vertex_descriptor> m_vertices;
   std::vector<halfedge_descriptor> m_halfedges;
 };

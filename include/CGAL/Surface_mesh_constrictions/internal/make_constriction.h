@@ -10,6 +10,10 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -62,15 +66,23 @@ public:
         seed.vertices.push_back(m_imported.vertex(v));
       data.seeds.push_back(std::move(seed));
     }
+    const double unit = m_imported.unit();
+    data.length *= unit;
     const Parting parting = m_sides.part(points);
     data.separating = parting.separating;
-    data.areas = parting.areas;
+    data.areas = {{parting.areas[0] * unit * unit, parting.areas[1] * unit * unit}};
+    data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting.areas);
     data.side = m_sides.choked_side(points);
-    data.flat_band_width = band_width;
+    data.flat_band_width = band_width * unit;
     return Result(std::move(data));
   }
 
 private:
+  static double isoperimetric_ratio(double length, const std::array<double, 2>& areas)
+  {
+    return length * length / (4 * CGAL_PI * (std::min)(areas[0], areas[1]));
+  }
+
   const Imported_mesh<TriangleMesh>& m_imported;
   const Progressive_mesh& m_pm;
   Surface_sides m_sides;

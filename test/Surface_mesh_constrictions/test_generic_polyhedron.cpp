@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/same_curves.h"
+
+#include <CGAL/Polyhedron_3.h>
+
+namespace {
+
+TEST(Generic, PolyhedronGivesTheSameCurves)
+{
+  same_curves::expect_same_curves<CGAL::Polyhedron_3<test_meshes::Kernel> >();
+}
+
+} // namespace
