@@ -475,6 +475,22 @@ TEST_F(Mesh_file, faces_of_another_orientation_are_turned)
   }
 }
 
+TEST_F(Mesh_file, seams_are_closed)
+{
+  // vertex 6 is at the place of vertex 2, and the first two faces use it
+  Soup seam = octahedron();
+  seam.points.push_back(seam.points[2]);
+  seam.triangles[0][2] = seam.triangles[1][2] = 6;
+  const Mesh mesh = read("seam.off", off(seam));
+  EXPECT_EQ(mesh.num_vertices(), 7u);
+  EXPECT_EQ(mesh.number_of_vertices(), 6u);
+  EXPECT_TRUE(mesh.is_removed(Mesh::Vertex_index(6)));
+  EXPECT_TRUE(mesh.is_valid(false));
+  // a hole stays a hole, and is named as it is in the file
+  seam.triangles.pop_back();
+  expect_defect(Input_defect::NOT_CLOSED, 0, "hole.off", off(seam), {"not closed", "vertices"});
+}
+
 TEST_F(Mesh_file, text_where_a_number_belongs)
 {
   const Soup soup = octahedron();

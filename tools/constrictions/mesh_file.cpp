@@ -2,7 +2,7 @@
 #include "mesh_file.h"
 
 #include "input_file.h"
-#include "orient_soup.h"
+#include "repair_soup.h"
 #include "text_scanner.h"
 #include "triangle_soup.h"
 
@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -87,13 +88,17 @@ Triangle_soup read_triangle_soup(const Input_file& file)
   file.fail("neither an OFF, OBJ, PLY nor STL file");
 }
 
+using CGAL::Surface_mesh_constrictions::Input_defect;
+using CGAL::Surface_mesh_constrictions::Invalid_input;
+using CGAL::Surface_mesh_constrictions::internal::Corner_table;
+using CGAL::Surface_mesh_constrictions::internal::make_corner_table;
+
 // Faces whose only fault is their orientation are turned, the numbers of those go to `turned`.
-CGAL::Surface_mesh_constrictions::internal::Corner_table connect(Triangle_soup& soup, std::vector<Index>& turned)
+Corner_table connect_turning_faces(Triangle_soup& soup, std::vector<Index>& turned)
 {
-  using namespace CGAL::Surface_mesh_constrictions;
   try
   {
-    return internal::make_corner_table(soup.points.size(), soup.corners);
+    return make_corner_table(soup.points.size(), soup.corners);
   }
   catch(const Invalid_input& e)
   {
@@ -103,7 +108,42 @@ CGAL::Surface_mesh_constrictions::internal::Corner_table connect(Triangle_soup& 
     if(turned.empty())
       throw;
   }
-  return internal::make_corner_table(soup.points.size(), soup.corners);
+  return make_corner_table(soup.points.size(), soup.corners);
+}
+
+bool has_nan(const Triangle_soup& soup)
+{
+  return std::any_of(soup.points.begin(), soup.points.end(), [](const Point& p) {
+    return std::isnan(p.x()) || std::isnan(p.y()) || std::isnan(p.z());
+  });
+}
+
+// As above; and if the surface is open along seams only, where vertices have been doubled, they are closed.
+Corner_table connect(Triangle_soup& soup, std::vector<Index>& turned)
+{
+  try
+  {
+    return connect_turning_faces(soup, turned);
+  }
+  catch(const Invalid_input& e)
+  {
+    if(e.defect() != Input_defect::NOT_CLOSED || has_nan(soup))
+      throw;
+    Triangle_soup closed = soup;
+    if(!close_seams(closed))
+      throw;
+    try
+    {
+      turned.clear();
+      const Corner_table table = connect_turning_faces(closed, turned);
+      soup = std::move(closed);
+      return table;
+    }
+    catch(const Invalid_input&)
+    {
+    }
+    throw;
+  }
 }
 
 } // namespace
@@ -122,7 +162,7 @@ Mesh read_mesh_file(const std::string& name, std::vector<bool>& is_turned)
   Triangle_soup soup = read_triangle_soup(file);
   std::string().swap(file.content); // before the mesh needs memory
   std::vector<Index> turned;
-  const internal::Corner_table table = connect(soup, turned);
+  const Corner_table table = connect(soup, turned);
   internal::check_points(table, soup.points);
   Mesh mesh;
   internal::surface_mesh_from_corner_table(table, soup.points, mesh);

@@ -37,7 +37,7 @@ inline void check_points(const Corner_table& table, const std::vector<Point>& po
   for(Index h = 0; h < table.source.size(); ++h)
   {
     const Index u = table.source[h], v = table.source[Corner_table::next(h)];
-    if(u < v && points[u] == points[v])
+    if(points[u] == points[v])
       throw Invalid_input(Input_defect::ZERO_LENGTH_EDGE, h / 3,
                           "degenerate face: " + edge_name(u, v) + " of face " + std::to_string(h / 3) +
                           " has length zero");

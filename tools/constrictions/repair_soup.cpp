@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orient_soup.h"
+#include "repair_soup.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace constrictions {
@@ -30,6 +31,24 @@ std::vector<Index> orient_soup(Triangle_soup& soup)
     turned.push_back(static_cast<Index>(f));
   }
   return turned;
+}
+
+bool close_seams(Triangle_soup& soup)
+{
+  std::vector<Index> order(soup.points.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::stable_sort(order.begin(), order.end(), [&soup](Index a, Index b) { return soup.points[a] < soup.points[b]; });
+  std::vector<Index> first(soup.points.size());
+  bool found = false;
+  for(std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool repeated = i > 0 && soup.points[order[i]] == soup.points[order[i - 1]];
+    first[order[i]] = repeated ? first[order[i - 1]] : order[i];
+    found = found || repeated;
+  }
+  for(Index& corner : soup.corners)
+    corner = first[corner];
+  return found;
 }
 
 } // namespace constrictions

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CONSTRICTIONS_ORIENT_SOUP_H
-#define CONSTRICTIONS_ORIENT_SOUP_H
+#ifndef CONSTRICTIONS_REPAIR_SOUP_H
+#define CONSTRICTIONS_REPAIR_SOUP_H
 
 #include "triangle_soup.h"
 
@@ -13,6 +13,10 @@ namespace constrictions {
 /// form a manifold; the soup is unchanged then.
 std::vector<Index> orient_soup(Triangle_soup& soup);
 
+/// lets faces use the first of several vertices at the same position; the others keep their numbers, without faces.
+/// Returns whether there were any. Positions must not be NaN.
+bool close_seams(Triangle_soup& soup);
+
 } // namespace constrictions
 
-#endif // CONSTRICTIONS_ORIENT_SOUP_H
+#endif // CONSTRICTIONS_REPAIR_SOUP_H
