@@ -68,7 +68,7 @@ public:
   void OnCollapsed(const Profile& profile, const Vertex& kept)
   {
     const Vertex removed = kept == profile.v1() ? profile.v0() : profile.v1();
-    const auto& p = get(profile.vertex_point_map(), kept);
+    const auto p = get(profile.vertex_point_map(), kept);
     m_record->collapses.push_back(
         Edge_collapse{index(removed), index(kept),
                       Progressive_mesh::Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()))});

@@ -134,8 +134,8 @@ public:
         *out++ = Point(get(vpm, l.vertex));
       else
       {
-        const Point& p = get(vpm, source(l.halfedge, tm));
-        const Point& q = get(vpm, target(l.halfedge, tm));
+        const Point p = get(vpm, source(l.halfedge, tm));
+        const Point q = get(vpm, target(l.halfedge, tm));
         *out++ = Point(p + FT(l.parameter) * (q - p));
       }
     }

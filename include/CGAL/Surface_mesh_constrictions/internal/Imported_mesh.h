@@ -72,7 +72,7 @@ public:
         index.resize(i + 1, null_index);
       index[i] = static_cast<Index>(m_vertices.size());
       m_vertices.push_back(v);
-      const auto& p = get(vpm, v);
+      const auto p = get(vpm, v);
       points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
     }
 
