@@ -109,7 +109,9 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// shortens one closed loop of edges until it is a closed geodesic, or found degenerate; see `tighten_closed_curves()`.
 ///
+/// \param tm a closed triangle mesh
 /// \param loop a range of vertex descriptors
+/// \param np an optional sequence of named parameters: `vertex_point_map` and `vertex_index_map` of `tm`
 template <class TriangleMesh, class Loop, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Tightened_curve<TriangleMesh> tighten_closed_curve(const TriangleMesh& tm, const Loop& loop,
                                                    const NamedParameters& np = CGAL::parameters::default_values())
