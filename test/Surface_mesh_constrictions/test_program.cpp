@@ -399,7 +399,7 @@ TEST_F(Program, unusable_meshes)
   expect_failure(1, "detect open.off", {"open.off: ", "not closed", "face"});
   expect_failure(1, "detect nan.off", {"nan.off: ", "line 5", "vertex 2"});
   expect_failure(1, "detect infinite.off", {"infinite.off: ", "vertex 2", "inf"});
-  expect_failure(1, "detect flat.off", {"flat.off: ", "vertices 1 and 2", "face"});
+  expect_failure(1, "detect flat.off", {"flat.off: ", "vertices 2 and 1", "face 0"});
   expect_failure(1, "detect empty.off", {"empty.off: "});
   expect_failure(1, "detect missing.off --json a.json", {"missing.off: "});
   expect_failure(1, "detect .", {"folder"});
