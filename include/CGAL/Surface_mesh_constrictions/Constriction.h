@@ -2,6 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_CONSTRICTION_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_CONSTRICTION_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -85,6 +86,7 @@ public:
     std::array<double, 2> areas = {0, 0};
     double isoperimetric_ratio = 0;
     Side side = Side::MIXED;
+    Certificate certificate;
   };
 
   Constriction() : m_data(std::make_shared<const Data>()) {}
@@ -116,6 +118,9 @@ public:
   double isoperimetric_ratio() const { return m_data->isoperimetric_ratio; }
 
   Side side() const { return m_data->side; }
+
+  /// what has been proved of the curve
+  const Certificate& certificate() const { return m_data->certificate; }
 
   /// writes the points of the curve, in the order of `locations()`, to `out`.
   ///

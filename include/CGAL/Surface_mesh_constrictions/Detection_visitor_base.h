@@ -2,14 +2,16 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_DETECTION_VISITOR_BASE_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_DETECTION_VISITOR_BASE_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
+
 #include <cstddef>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What became of the seed curves. Every seed ends in exactly one of `degenerate`, `not_simple`, `merged` or as the
-/// first seed of a returned curve.
+/// What became of the seed curves. Every seed ends in exactly one of `degenerate`, `not_simple`, `not_certified`,
+/// `merged` or as the first seed of a returned curve.
 struct Detection_statistics
 {
   std::size_t collapses = 0;    ///< edge collapses of the simplification
@@ -18,11 +20,14 @@ struct Detection_statistics
   std::size_t not_simple = 0;   ///< seeds that ended in a curve that crosses or touches itself
   std::size_t merged = 0;       ///< seeds that ended in a curve that another seed had found
   std::size_t leaky_bands = 0;  ///< times a curve slipped out of a flat band that leaks, and went on shortening
+  std::size_t not_certified = 0; ///< seeds that ended in a curve that could not be proved to be a constriction
+  std::size_t corrected = 0;    ///< curves whose combinatorics rounding had got wrong, put right by exact arithmetic
+  Sign_statistics signs;        ///< how the signs were decided that the certificates rest on
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The stages of `detect_constrictions()`, in order.
-enum class Detection_stage { SIMPLIFICATION, REFINEMENT, TIGHTENING };
+enum class Detection_stage { SIMPLIFICATION, REFINEMENT, TIGHTENING, CERTIFICATION };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Visitor of `detect_constrictions()` whose callbacks do nothing: derive from it and hide what you need.

@@ -23,7 +23,8 @@ enum class Input_defect
   INCONSISTENT_ORIENTATION,  ///< two faces that run along their common edge in the same direction
   NOT_CLOSED,                ///< an edge with one face only
   NON_MANIFOLD_VERTEX,       ///< a vertex with more than one fan of faces
-  INVALID_LOOP               ///< a loop that is not a closed path of mesh edges
+  INVALID_LOOP,              ///< a loop that is not a closed path of mesh edges
+  IRRATIONAL_COORDINATE      ///< a coordinate of an exact kernel that is not a rational number of moderate size
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/coincidence.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -53,6 +55,7 @@ struct Found_curve
   Index curve; // of the network
   double length;
   double band_width;
+  Certificate certificate;
 };
 
 // Sorts curves by length and merges those that are the same but for rounding.
@@ -80,6 +83,41 @@ inline void merge_coinciding(Curve_network& network, std::vector<Found_curve>& f
       kept.push_back(f);
   }
   found.swap(kept);
+}
+
+// Certifies curves, drops those that are no constrictions, and merges those that have become the same.
+template <class Exact_settler, class Progress>
+void certify_found(Curve_network& network, Exact_settler& settler, double unit, const std::vector<Refined_curve>& refined,
+                   std::vector<Found_curve>& found, Detection_statistics& statistics, const Progress& on_step)
+{
+  Distinct_curves distinct(network);
+  std::vector<Found_curve> certified;
+  for(std::size_t i = 0; i < found.size(); ++i)
+  {
+    Found_curve f = found[i];
+    f.certificate = settler.settle(network, f.curve);
+    statistics.signs = statistics.signs + f.certificate.signs;
+    on_step(i + 1);
+    if(f.certificate.is_certified())
+    {
+      f.length = network.length(f.curve);
+      f.band_width = f.certificate.flat_band_width / unit;
+      if(distinct.insert(f.curve))
+        certified.push_back(f);
+      continue;
+    }
+    std::size_t seeds = 0;
+    for(std::size_t r : network.curve(f.curve).seeds)
+      seeds += refined[r].seeds.size();
+    const Certificate_verdict verdict = f.certificate.verdict;
+    (network.is_empty(f.curve) ? statistics.degenerate
+     : verdict == Certificate_verdict::CROSSES_ITSELF || verdict == Certificate_verdict::TOUCHES_ITSELF
+         ? statistics.not_simple
+         : statistics.not_certified) += seeds;
+    network.remove(f.curve);
+  }
+  statistics.corrected = settler.number_of_corrections();
+  found.swap(certified);
 }
 
 // Builds the progressive mesh from a record and finds the seeds that are asked for.
@@ -159,6 +197,12 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///     \cgalParamType{`Tightening_schedule`}
 ///     \cgalParamDefault{`Tightening_schedule::AT_THE_END`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{certify}
+///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has led
+///                           it astray. Then only curves with a certificate are returned.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{first_constriction_only}
 ///     \cgalParamDescription{whether to stop at the first seed curve, and follow that one only. It may degenerate: then
 ///                           the output is empty.}
@@ -172,7 +216,7 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// The last three before `visitor` are functions of `CGAL::Surface_mesh_constrictions::parameters`. CGAL's list of names
+/// The last four before `visitor` are functions of `CGAL::Surface_mesh_constrictions::parameters`. CGAL's list of names
 /// that can be chained is closed, so they start a chain, `tightening_schedule(t).visitor(v)`, or take one as their second
 /// argument, `tightening_schedule(t, CGAL::parameters::visitor(v))`.
 ///
@@ -197,6 +241,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
                                                     Seed_detection::ON_APPEARANCE);
   const Tightening_schedule schedule = choose_parameter(get_parameter(np, internal_np::tightening_schedule),
                                                         Tightening_schedule::AT_THE_END);
+  const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
   const bool first_only = choose_parameter(get_parameter(np, internal_np::first_constriction_only), false);
 
   Detection_statistics statistics;
@@ -230,23 +275,29 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
     const Index c = network.add_curve(i);
     std::vector<internal::Arc> arcs = internal::arcs_of_curve(pm, refined[i].curve);
     network.set_arcs(c, arcs);
-    switch(settler.settle(c))
-    {
-    case Tightening_verdict::DEGENERATE:
+    const Tightening_verdict verdict = settler.settle(c);
+    if(verdict == Tightening_verdict::DEGENERATE)
       statistics.degenerate += refined[i].seeds.size();
-      break;
-    case Tightening_verdict::NOT_SIMPLE:
+    else if(verdict == Tightening_verdict::NOT_SIMPLE && !certifies)
+    {
       statistics.not_simple += refined[i].seeds.size();
       network.remove(c);
-      break;
-    case Tightening_verdict::CLOSED_GEODESIC:
-      if(distinct.insert(c))
-        found.push_back({c, network.length(c), settler.band_width()});
-      break;
     }
+    else if(distinct.insert(c))
+      found.push_back({c, network.length(c), settler.band_width(), Certificate()});
     visitor.on_step(Detection_stage::TIGHTENING, i + 1);
   }
   statistics.leaky_bands = settler.number_of_leaks();
+  visitor.on_stage_end(Detection_stage::TIGHTENING);
+
+  visitor.on_stage_begin(Detection_stage::CERTIFICATION, certifies ? found.size() : 0);
+  if(certifies)
+  {
+    internal::Exact_settler<TriangleMesh, std::decay_t<decltype(vpm)> > exact_settler(pm, imported, vpm);
+    internal::certify_found(network, exact_settler, imported.unit(), refined, found, statistics, [&visitor](std::size_t i) {
+      visitor.on_step(Detection_stage::CERTIFICATION, i);
+    });
+  }
   internal::merge_coinciding(network, found);
 
   internal::Constriction_maker<TriangleMesh> maker(imported, pm);
@@ -258,9 +309,9 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       for(std::size_t s : refined[i].seeds)
         its_seeds.push_back(seeds[s]);
     statistics.merged += its_seeds.size() - 1;
-    constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width));
+    constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width, f.certificate));
   }
-  visitor.on_stage_end(Detection_stage::TIGHTENING);
+  visitor.on_stage_end(Detection_stage::CERTIFICATION);
 
   visitor.on_end(statistics);
   return std::move(constrictions.begin(), constrictions.end(), out);

@@ -30,6 +30,7 @@ namespace internal_np {
 enum seed_detection_t { seed_detection };
 enum tightening_schedule_t { tightening_schedule };
 enum first_constriction_only_t { first_constriction_only };
+enum certify_t { certify };
 
 } // namespace internal_np
 
@@ -54,6 +55,7 @@ namespace parameters {
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_detection)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(tightening_schedule)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(first_constriction_only)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certify)
 
 } // namespace parameters
 } // namespace Surface_mesh_constrictions

@@ -2,13 +2,16 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_TIGHTEN_CLOSED_CURVE_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_TIGHTEN_CLOSED_CURVE_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -16,6 +19,7 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -31,6 +35,28 @@ struct Tightened_curve
   Tightening_verdict verdict;
   Constriction<TriangleMesh> curve; ///< empty unless the verdict is `CLOSED_GEODESIC`
 };
+
+namespace internal {
+
+// What an exactly certified curve has been tightened to.
+inline Tightening_verdict tightening_verdict(const Certificate& certificate, bool is_degenerate)
+{
+  if(is_degenerate)
+    return Tightening_verdict::DEGENERATE;
+  switch(certificate.verdict)
+  {
+  case Certificate_verdict::STRICT_CONSTRICTION:
+  case Certificate_verdict::CONSTRICTION:
+    return Tightening_verdict::CLOSED_GEODESIC;
+  case Certificate_verdict::CROSSES_ITSELF:
+  case Certificate_verdict::TOUCHES_ITSELF:
+    return Tightening_verdict::NOT_SIMPLE;
+  default:
+    return Tightening_verdict::NOT_CERTIFIED;
+  }
+}
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// shortens closed loops of edges on a fixed mesh until they are closed geodesics, or found degenerate (the paper's
@@ -62,6 +88,12 @@ struct Tightened_curve
 ///     \cgalParamType{a class model of `ReadablePropertyMap`}
 ///     \cgalParamDefault{an automatically indexed internal map}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{certify}
+///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has led
+///                           it astray; a function of `CGAL::Surface_mesh_constrictions::parameters`}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \throws Invalid_input for a mesh that cannot be used, and for a loop that is not a closed path of mesh edges
@@ -76,6 +108,7 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(CGAL::vertex_point, tm));
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
+  const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
 
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();
@@ -86,6 +119,7 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
 
   internal::Curve_network network(pm, false);
   internal::Curve_settler settler(network);
+  internal::Exact_settler<TriangleMesh, std::decay_t<decltype(vpm)> > exact_settler(pm, imported, vpm);
   internal::Constriction_maker<TriangleMesh> maker(imported, pm);
   std::size_t number = 0;
   for(const auto& loop : loops)
@@ -97,8 +131,16 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
     const Index c = network.add_curve(number, seed.vertices);
     Tightened_curve<TriangleMesh> result;
     result.verdict = settler.settle(c);
+    double band_width = settler.band_width();
+    Certificate certificate;
+    if(certifies && !network.is_empty(c))
+    {
+      certificate = exact_settler.settle(network, c);
+      band_width = certificate.flat_band_width / imported.unit();
+      result.verdict = internal::tightening_verdict(certificate, network.is_empty(c));
+    }
     if(result.verdict == Tightening_verdict::CLOSED_GEODESIC)
-      result.curve = maker.make(network, c, std::vector<Seed_curve>{seed}, settler.band_width());
+      result.curve = maker.make(network, c, std::vector<Seed_curve>{seed}, band_width, certificate);
     network.remove(c);
     *out++ = result;
     ++number;

@@ -86,12 +86,19 @@ public:
     return result;
   }
 
+  // The strip of one turn from a corner on.
+  Strip rotated(const Corner& base) const
+  {
+    Strip strip(m_strip.begin() + static_cast<std::ptrdiff_t>(base.portal), m_strip.end());
+    strip.insert(strip.end(), m_strip.begin(), m_strip.begin() + static_cast<std::ptrdiff_t>(base.portal));
+    return strip;
+  }
+
   // The shortest closed curve of the strip through a corner, as arcs that start there; none if it is that point alone.
   // Linear.
   std::vector<Arc> shortest_loop(const Corner& base, String_puller& puller) const
   {
-    Strip strip(m_strip.begin() + static_cast<std::ptrdiff_t>(base.portal), m_strip.end());
-    strip.insert(strip.end(), m_strip.begin(), m_strip.begin() + static_cast<std::ptrdiff_t>(base.portal));
+    Strip strip = rotated(base);
     std::vector<Arc> arcs;
     puller.pull(base.vertex, strip, base.vertex, arcs);
     return arcs;

@@ -23,7 +23,8 @@ enum class Tightening_verdict
 {
   CLOSED_GEODESIC, ///< a simple closed geodesic that no flat band leaks away
   DEGENERATE,      ///< a point
-  NOT_SIMPLE       ///< a closed geodesic that crosses or touches itself
+  NOT_SIMPLE,      ///< a closed geodesic that crosses or touches itself
+  NOT_CERTIFIED    ///< a curve that could not be proved to be a constriction
 };
 
 namespace internal {

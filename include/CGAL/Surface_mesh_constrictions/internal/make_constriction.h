@@ -2,6 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_MAKE_CONSTRICTION_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_MAKE_CONSTRICTION_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
@@ -31,7 +32,7 @@ public:
   {}
 
   Constriction<TriangleMesh> make(const Curve_network& network, Index c, const std::vector<Seed_curve>& seeds,
-                                  double band_width)
+                                  double band_width, const Certificate& certificate)
   {
     typedef Constriction<TriangleMesh> Result;
     const std::vector<Arc> arcs = arcs_of_curve(network, c);
@@ -74,6 +75,7 @@ public:
     data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting.areas);
     data.side = m_sides.choked_side(points);
     data.flat_band_width = band_width * unit;
+    data.certificate = certificate;
     return Result(std::move(data));
   }
 

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_CERTIFY_CONSTRICTION_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_CERTIFY_CONSTRICTION_H
+
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Certifier.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact_arcs_of_locations.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// decides with exact arithmetic whether a closed curve is a constriction.
+///
+/// What is examined is the combinatorial curve: the pivots and the crossed halfedges of `curve.locations()`. The rounded
+/// parameters of the crossings, and everything else that `curve` holds, are not looked at. The points of the mesh are
+/// taken as the exact numbers that they are. The conditions are, in this order: consecutive locations fit together;
+/// each arc between two pivots is straight in its unfolded strip and crosses the inside of each edge; both side angles
+/// at each pivot are at least pi; the curve neither crosses nor touches itself; and if all angles on one side are equal
+/// to pi, the flat band on that side holds at its end. There is no tolerance: see the section on certificates in the
+/// user manual for the proof that these conditions suffice, and for the way in which signs are decided.
+///
+/// A curve without pivots is examined through the parallel copy of it that passes through vertices on its right.
+///
+/// \tparam TriangleMesh a model of `HalfedgeGraph` with totally ordered descriptors
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tm a closed triangle mesh
+/// \param curve a closed curve on it
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tm`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` whose value type is a 3D point with rational coordinates:
+///                    of double, or of an exact kernel}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return the verdict, with the place of the first condition that is violated
+/// \throws Invalid_input if a coordinate is no rational number of moderate size, or if the curve comes to a border or
+///         to a face that is not a triangle
+/// \cost linear in the number of crossings and in the degrees of the pivots, if intervals of doubles decide. A sign that
+///       they leave open costs, for an arc with k crossings, O(k) operations at each higher precision; a tie costs
+///       operations in a field of up to 2^m dimensions, where m is the number of square classes of the squared areas of
+///       the faces concerned.
+///
+/// \sa `detect_constrictions()`
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Certificate certify_constriction(const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
+                                 const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(CGAL::vertex_point, tm));
+  typedef internal::Graph_surface<TriangleMesh, std::decay_t<decltype(vpm)> > Surface;
+
+  const Surface surface(tm, vpm);
+  internal::Certifier<Surface> certifier(surface);
+  const auto located = internal::arcs_of_locations(certifier.prover(), curve.locations());
+  if(located.verdict == Certificate_verdict::NOT_COMPUTED)
+    return certifier.examine(located.arcs).certificate;
+  Certificate result;
+  result.verdict = located.verdict;
+  result.location = located.location;
+  result.signs = certifier.prover().statistics();
+  return result;
+}
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_CERTIFY_CONSTRICTION_H

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SETTLER_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SETTLER_H
+
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Certifier.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Closed_strip.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Exact_string_puller.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
+#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Certifies curves that were tightened in floating point. Where rounding chose the wrong side of a near tie, the
+// combinatorics are corrected as the tightening would have done with exact numbers: an arc that is not straight is
+// pulled in its strip, and a curve is led around the pivot that it makes too small an angle at, or out of the flat band
+// that leaks.
+template <class TriangleMesh, class VertexPointMap>
+class Exact_settler
+{
+  typedef Imported_surface<TriangleMesh, VertexPointMap> Surface;
+  typedef Exact_arc<Surface> Exact;
+  typedef std::vector<Exact> Exact_curve;
+
+public:
+  Exact_settler(const Progressive_mesh& pm, const Imported_mesh<TriangleMesh>& imported, VertexPointMap vpm)
+    : m_pm(pm), m_surface(pm, imported, vpm), m_certifier(m_surface)
+  {}
+
+  // The certificate of a curve of the network after its correction. The curve has no arcs if it degenerates, and is
+  // canonical if it lies in a flat band.
+  // Linear in the curve if no correction is needed.
+  Certificate settle(Curve_network& network, Index c)
+  {
+    Exact_curve curve = exact_curve(arcs_of_curve(network, c));
+    Finding<Surface> finding = m_certifier.examine(curve);
+    Sign_statistics signs = finding.certificate.signs;
+    bool is_changed = false;
+    for(int step = 0; step < max_corrections && correct(curve, finding); ++step)
+    {
+      is_changed = true;
+      if(curve.empty())
+      {
+        std::vector<Arc> none;
+        network.set_arcs(c, none);
+        return Certificate();
+      }
+      finding = m_certifier.examine(curve);
+      signs = signs + finding.certificate.signs;
+    }
+    if(finding.certificate.verdict == Certificate_verdict::CONSTRICTION)
+    {
+      Exact_curve& left = finding.band_ends[0].empty() ? curve : finding.band_ends[0];
+      Exact_curve& right = finding.band_ends[1].empty() ? curve : finding.band_ends[1];
+      curve = smallest_pivot(left) <= smallest_pivot(right) ? left : right;
+      is_changed = true;
+    }
+    if(is_changed)
+    {
+      m_corrected += finding.certificate.verdict != Certificate_verdict::CONSTRICTION;
+      std::vector<Arc> arcs = measured(curve);
+      network.set_arcs(c, arcs);
+    }
+    Certificate result = finding.certificate;
+    result.signs = signs;
+    return result;
+  }
+
+  // how many curves rounding had led astray
+  std::size_t number_of_corrections() const { return m_corrected; }
+
+private:
+  static constexpr int max_corrections = 1000; // of one curve
+
+  Exact_curve exact_curve(const std::vector<Arc>& arcs) const
+  {
+    Exact_curve result;
+    std::size_t location = 0;
+    for(const Arc& a : arcs)
+    {
+      result.push_back({a.from, a.to, a.along, {a.crossings.begin(), a.crossings.end()}, location});
+      location += 1 + a.crossings.size();
+    }
+    return result;
+  }
+
+  std::vector<Arc> measured(const Exact_curve& curve) const
+  {
+    std::vector<Arc> result;
+    for(const Exact& e : curve)
+    {
+      Arc a;
+      a.from = e.from;
+      a.to = e.to;
+      a.along = e.is_edge() ? e.along : null_index;
+      a.crossings.assign(e.crossings.begin(), e.crossings.end());
+      measure(m_pm, a);
+      result.push_back(std::move(a));
+    }
+    return result;
+  }
+
+  static Index smallest_pivot(const Exact_curve& curve)
+  {
+    Index v = null_index;
+    for(const Exact& a : curve)
+      v = (std::min)(v, a.from);
+    return v;
+  }
+
+  // One step. False if there is nothing to correct, or no way.
+  bool correct(Exact_curve& curve, const Finding<Surface>& finding)
+  {
+    switch(finding.certificate.verdict)
+    {
+    case Certificate_verdict::NOT_STRAIGHT:
+    {
+      Exact_curve path;
+      const Exact& arc = curve[finding.arc];
+      return pull(arc.from, arc.crossings, arc.to, path) && replace(curve, finding.arc, 1, path);
+    }
+    case Certificate_verdict::ANGLE_BELOW_PI:
+      return curve.size() == 1 ? lead_loop_around_pivot(curve, finding) : lead_around_pivot(curve, finding);
+    case Certificate_verdict::LEAKY_BAND:
+      curve = finding.band_ends[finding.certificate.side == Curve_side::LEFT ? 0 : 1];
+      return true;
+    default:
+      return false;
+    }
+  }
+
+  // Numbers the arcs' locations anew.
+  static void renumber(Exact_curve& curve)
+  {
+    std::size_t location = 0;
+    for(Exact& a : curve)
+    {
+      a.location = location;
+      location += 1 + a.crossings.size();
+    }
+  }
+
+  // Replaces `count` arcs, cyclically from number `first`, by a path.
+  static bool replace(Exact_curve& curve, std::size_t first, std::size_t count, const Exact_curve& path)
+  {
+    std::rotate(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(first), curve.end());
+    curve.erase(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(count));
+    curve.insert(curve.end(), path.begin(), path.end());
+    renumber(curve);
+    return true;
+  }
+
+  // The shortest path in a strip, which is normalised first; none if it is a point.
+  bool pull(Index from, Strip strip, Index to, Exact_curve& path)
+  {
+    normalize_strip(m_pm, from, strip, to);
+    if(!strip.empty())
+      return Exact_string_puller<Surface>(m_certifier.prover()).pull(from, strip, to, path);
+    if(from != to)
+      path.push_back({from, to, m_pm.halfedge(from, to), {}, 0});
+    return true;
+  }
+
+  bool lead_around_pivot(Exact_curve& curve, const Finding<Surface>& finding)
+  {
+    const std::size_t before = (finding.arc + curve.size() - 1) % curve.size();
+    const Exact &incoming = curve[before], &outgoing = curve[finding.arc];
+    Strip strip = incoming.crossings;
+    append_fan(m_surface, incoming, outgoing, finding.certificate.side, finding.is_whole_turn, strip);
+    strip.insert(strip.end(), outgoing.crossings.begin(), outgoing.crossings.end());
+    Exact_curve path;
+    return pull(incoming.from, strip, outgoing.to, path) && replace(curve, before, 2, path);
+  }
+
+  // A curve with one pivot is led through a closed strip. It is shortest through one of the strip's corners; as that
+  // may be a near tie, they are tried from the one with the shortest loop on, until the exact angle there is right.
+  bool lead_loop_around_pivot(Exact_curve& curve, const Finding<Surface>& finding)
+  {
+    Strip crossings = curve[0].crossings;
+    append_fan(m_surface, curve[0], curve[0], finding.certificate.side, finding.is_whole_turn, crossings);
+    const Closed_strip strip(m_pm, crossings);
+    if(strip.is_degenerate())
+    {
+      curve.clear();
+      return true;
+    }
+    String_puller puller(m_pm);
+    std::vector<std::pair<double, Closed_strip::Corner> > candidates;
+    for(const Closed_strip::Corner& corner : strip.corners())
+    {
+      double length = 0;
+      for(const Arc& a : strip.shortest_loop(corner, puller))
+        length += a.length;
+      candidates.emplace_back(length, corner);
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(const auto& candidate : candidates)
+    {
+      Exact_curve loop;
+      const Index v = candidate.second.vertex;
+      if(!pull(v, strip.rotated(candidate.second), v, loop) || loop.empty())
+        continue;
+      renumber(loop);
+      const Finding<Surface> found = m_certifier.examine(loop);
+      if(found.certificate.verdict == Certificate_verdict::ANGLE_BELOW_PI && found.arc == 0)
+        continue;
+      curve = std::move(loop);
+      return true;
+    }
+    return false;
+  }
+
+  const Progressive_mesh& m_pm;
+  Surface m_surface;
+  Certifier<Surface> m_certifier;
+  std::size_t m_corrected = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SETTLER_H
