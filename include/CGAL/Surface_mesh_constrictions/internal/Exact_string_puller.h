@@ -5,7 +5,9 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -75,19 +77,33 @@ private:
 
   Bend bend(const Corner& a, const Corner& b, const Corner& c)
   {
+    // no more of the strip is unfolded than what lies between them
+    std::size_t begin = m_strip->size(), end = 0;
+    for(const Corner& corner : {a, b, c})
+    {
+      begin = (std::min)(begin, corner.kind == Corner::PORTAL ? corner.portal : corner.kind == Corner::START ? 0 : begin);
+      end = (std::max)(end, corner.kind == Corner::PORTAL ? corner.portal + 1
+                            : corner.kind == Corner::END ? m_strip->size()
+                                                         : 0);
+    }
+    const bool from_start = a.kind == Corner::START;
+    Arc piece;
+    piece.crossings.assign(m_strip->begin() + static_cast<std::ptrdiff_t>(begin),
+                           m_strip->begin() + static_cast<std::ptrdiff_t>(end));
     const std::vector<Proved_sign> signs = m_prover.signs(2, [&](const auto& arithmetic, auto& values) {
       typedef typename std::decay_t<decltype(arithmetic)>::NT NT;
-      Arc arc;
-      arc.crossings = *m_strip;
-      const Unfolded_strip<NT> strip = unfold(m_prover.surface(), arithmetic, arc);
+      const Planar<NT> origin(arithmetic.number(0), arithmetic.number(0)), one(arithmetic.number(1), arithmetic.number(0));
+      const Unfolded_strip<NT> strip = from_start ? unfold(m_prover.surface(), arithmetic, piece)
+                                                  : unfold(m_prover.surface(), arithmetic, {one, origin}, piece.crossings);
       const auto position = [&](const Corner& corner) {
-        return corner.kind == Corner::START ? Planar<NT>(arithmetic.number(0), arithmetic.number(0))
+        return corner.kind == Corner::START ? origin
                : corner.kind == Corner::END ? strip.apex
-                                            : strip.portals[corner.portal].end(corner.side);
+                                            : strip.portals[corner.portal - begin].end(corner.side);
       };
       const Planar<NT> r = relative(position(b) - position(a), position(c) - position(b));
       values[0] = r.y();
-      values[1] = r.x();
+      if(values.wants(1))
+        values[1] = r.x();
     });
     if(signs[0] == Proved_sign::UNPROVED || (signs[0] == Proved_sign::ZERO && signs[1] == Proved_sign::UNPROVED))
       m_is_proved = false;

@@ -161,33 +161,52 @@ private:
                                   std::vector<bool>& nonzero, std::vector<Proved_sign>& result, bool proves_zero)
   {
     std::size_t count = 0;
+    // All at once, as what they have in common need not be computed again; if that fails, one by one.
+    if(evaluate<Arithmetic>(corners, basis, expression, std::vector<bool>(unproved), unproved, nonzero, result,
+                            proves_zero, count))
+      return count;
     for(std::size_t i = 0; i < unproved.size(); ++i)
-    {
-      if(!unproved[i])
-        continue;
-      std::vector<bool> only(unproved.size(), false);
-      only[i] = true;
-      try
+      if(unproved[i])
       {
-        const Arithmetic arithmetic(corners, basis);
-        Wanted_values<typename Arithmetic::NT> values(only);
-        expression(arithmetic, values);
-        const bool is_zero = values[i].is_zero();
-        if(is_zero && !proves_zero)
+        std::vector<bool> only(unproved.size(), false);
+        only[i] = true;
+        evaluate<Arithmetic>(corners, basis, expression, only, unproved, nonzero, result, proves_zero, count);
+      }
+    return count;
+  }
+
+  // False if the arithmetic gave up.
+  template <class Arithmetic, class Expression>
+  static bool evaluate(Rational_corners<Surface>& corners, const Square_root_basis& basis, const Expression& expression,
+                       const std::vector<bool>& wanted, std::vector<bool>& unproved, std::vector<bool>& nonzero,
+                       std::vector<Proved_sign>& result, bool proves_zero, std::size_t& count)
+  {
+    try
+    {
+      const Arithmetic arithmetic(corners, basis);
+      Wanted_values<typename Arithmetic::NT> values(wanted);
+      expression(arithmetic, values);
+      for(std::size_t i = 0; i < wanted.size(); ++i)
+      {
+        if(!wanted[i] || (values[i].is_zero() && !proves_zero))
           continue;
-        if(is_zero)
+        if(values[i].is_zero())
           result[i] = Proved_sign::ZERO;
         else
           nonzero[i] = true;
         unproved[i] = false;
         ++count;
       }
-      catch(const No_image&)
-      {}
-      catch(const Too_many_terms&)
-      {}
+      return true;
     }
-    return count;
+    catch(const No_image&)
+    {
+      return false;
+    }
+    catch(const Too_many_terms&)
+    {
+      return false;
+    }
   }
 
   const Surface& m_surface;

@@ -74,9 +74,9 @@ private:
       const Integer d = denominator(radicands[i]);
       if(m_roots.count(radicands[i]) != 0)
         continue;
-      if(n == 0)
+      if(mpz_perfect_square_p(n.backend().data()) != 0)
       {
-        m_roots[radicands[i]] = Root{0, 0};
+        m_roots[radicands[i]] = Root{Rational(sqrt(n)) / d, 0};
         continue;
       }
       Row row = {characters(n, primes), 0, std::vector<bool>(m_basis.size(), false)};
@@ -123,9 +123,10 @@ private:
   static std::vector<Integer> make_primes(const std::vector<Integer>& numbers, std::size_t count)
   {
     static const std::vector<Integer> first = primes_after(Integer(1) << 40, 128);
-    std::vector<Integer> primes;
-    for(std::vector<Integer> more = first; primes.size() < count; more = primes_after(more.back(), count))
-      for(const Integer& p : more)
+    std::vector<Integer> primes, candidates = first;
+    for(;;)
+    {
+      for(const Integer& p : candidates)
       {
         const auto is_divisible = [&p](const Integer& n) {
           return n != 0 && mpz_divisible_p(n.backend().data(), p.backend().data()) != 0;
@@ -133,7 +134,10 @@ private:
         if(std::none_of(numbers.begin(), numbers.end(), is_divisible))
           primes.push_back(p);
       }
-    return primes;
+      if(primes.size() >= count)
+        return primes;
+      candidates = primes_after(candidates.back(), count - primes.size());
+    }
   }
 
   static std::vector<Integer> primes_after(Integer p, std::size_t count)
