@@ -12,7 +12,7 @@ namespace Surface_mesh_constrictions {
 enum class Arc_refusal
 {
   NONE,         ///< it is confirmed
-  NOT_A_PATH,   ///< two consecutive locations are not in one face, or not where the curve is said to go
+  NOT_A_PATH,   ///< the locations are not those of a closed curve on the mesh: no arc has been looked at
   SHORTER_PATH, ///< there is a path that is shorter by more than the tolerance
   OTHER_FACES,  ///< the shortest path passes other faces
   OTHER_PLACES, ///< the shortest path crosses the same edges elsewhere, by more than the tolerance
@@ -25,13 +25,13 @@ struct Shortest_path_verification
 {
   std::size_t number_of_arcs = 0;         ///< each has been looked at in a patch of its own
   std::size_t number_of_refused_arcs = 0;
-  Arc_refusal refusal = Arc_refusal::NONE; ///< of the first refused arc
+  Arc_refusal refusal = Arc_refusal::NONE; ///< of the first refused arc; `NONE` if all are confirmed
   std::size_t refused_location = 0;        ///< in `locations()`, inside the first refused arc
   double greatest_excess = 0;              ///< of an arc over the shortest path, as a share of the arc's length
   double greatest_deviation = 0;           ///< between the two where they cross edges, relative to the patch's diameter
 
-  /// whether the curve has arcs, and all of them are confirmed
-  bool is_confirmed() const { return number_of_arcs > 0 && number_of_refused_arcs == 0; }
+  /// whether every arc is confirmed
+  bool is_confirmed() const { return refusal == Arc_refusal::NONE; }
 };
 
 } // namespace Surface_mesh_constrictions

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -148,9 +149,10 @@ private:
     return {c, c, patch.point(c)};
   }
 
-  // Compares the arc with the shortest path in the patch between its ends. Of the events of the arc only the first, the
-  // last and the vertex that it straddles are corners.
-  static Arc_verdict compare(Patch& patch, const std::vector<Event>& arc)
+  typedef std::vector<Event> Events;
+
+  // Compares the arc with the shortest path in the patch between its ends. It straddles one corner, or crosses edges.
+  static Arc_verdict compare(Patch& patch, const Events& arc)
   {
     const typename Patch::Path path = patch.shortest_path(arc.front().source, arc.back().source);
     double length = 0;
@@ -164,41 +166,57 @@ private:
       return verdict;
     }
     verdict.excess = (std::max)(0.0, (length - path.length) / length);
+    const bool at_corner = arc[1].is_corner();
     if(!(length <= path.length * (1 + verification_tolerance)))
       verdict.refusal = Arc_refusal::SHORTER_PATH;
-    else if(!is_along(path.events, arc, verdict.deviation))
+    else if(!(at_corner ? passes_at_corner(path.events, arc[1]) : crosses_same_edges(path.events, arc)))
       verdict.refusal = Arc_refusal::OTHER_FACES;
-    else if(!(verdict.deviation <= verification_tolerance))
-      verdict.refusal = Arc_refusal::OTHER_PLACES;
+    else
+    {
+      verdict.deviation = at_corner ? distance_from_corner(path.events, arc[1]) : distance_from_arc(path.events, arc);
+      if(!(verdict.deviation <= verification_tolerance))
+        verdict.refusal = Arc_refusal::OTHER_PLACES;
+    }
     return verdict;
   }
 
-  // Whether a path meets the edges and corners of the arc, in the same order, and no others; and how far from it. Next to
-  // the straddled vertex it may cross edges of that vertex instead: what matters there is how far from the vertex.
-  static bool is_along(const std::vector<Event>& path, const std::vector<Event>& arc, double& deviation)
+  static bool crosses_same_edges(const Events& path, const Events& arc)
   {
-    const std::size_t last = arc.size() - 1;
-    if(!path.front().is_on(arc[0].source, arc[0].target) || !path.back().is_on(arc[last].source, arc[last].target))
+    if(path.size() != arc.size())
       return false;
-    std::size_t i = 0;
-    for(std::size_t j = 1; j + 1 < path.size(); ++j)
-    {
-      const Event& event = path[j];
-      if(i > 0 && arc[i].is_corner() && is_at(event, arc[i]))
-        ; // another edge of the straddled vertex
-      else if(i + 1 < last && is_at(event, arc[i + 1]))
-        ++i;
-      else
+    for(std::size_t i = 1; i + 1 < arc.size(); ++i)
+      if(!path[i].is_on(arc[i].source, arc[i].target))
         return false;
-      deviation = (std::max)(deviation, Patch::distance(event.point, arc[i].point));
-    }
-    return i + 1 == last;
+    return true;
   }
 
-  static bool is_at(const Event& event, const Event& of_arc)
+  // Whether the path goes through the corner, or crosses nothing but edges of it: then all of it is in the faces of the
+  // corner, and its distance from the corner says how far beside it it goes.
+  static bool passes_at_corner(const Events& path, const Event& corner)
   {
-    return of_arc.is_corner() ? event.source == of_arc.source || event.target == of_arc.source
-                              : event.is_on(of_arc.source, of_arc.target);
+    for(std::size_t i = 1; i + 1 < path.size(); ++i)
+      if(path[i].source != corner.source && path[i].target != corner.source)
+        return false;
+    return path.size() > 2;
+  }
+
+  static double distance_from_corner(const Events& path, const Event& corner)
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for(std::size_t i = 1; i < path.size(); ++i)
+      result = (std::min)(result, Patch::distance(corner.point, path[i - 1].point, path[i].point));
+    return result;
+  }
+
+  // The greatest distance of the path's crossings from the arc, across it: on an edge that the arc crosses at a
+  // small angle, a crossing moves far along the arc for a small step beside it.
+  static double distance_from_arc(const Events& path, const Events& arc)
+  {
+    double result = 0;
+    for(std::size_t i = 1; i + 1 < arc.size(); ++i)
+      result = (std::max)(result, (std::min)(Patch::distance(path[i].point, arc[i - 1].point, arc[i].point),
+                                             Patch::distance(path[i].point, arc[i].point, arc[i + 1].point)));
+    return result;
   }
 
   const TriangleMesh& m_tm;

@@ -88,6 +88,12 @@ public:
     return std::sqrt(CGAL::to_double(CGAL::squared_distance(p, q)));
   }
 
+  // of p from the segment between q and r
+  static double distance(const Point_3& p, const Point_3& q, const Point_3& r)
+  {
+    return std::sqrt(CGAL::to_double(CGAL::squared_distance(p, typename Kernel::Segment_3(q, r))));
+  }
+
   Path shortest_path(Vertex from, Vertex to)
   {
     Shortest_path shortest_path(m_mesh);
@@ -117,7 +123,8 @@ private:
       events.push_back({mesh.source(h), mesh.target(h), p + alpha * (q - p)});
     }
     void operator()(Vertex v) { events.push_back({v, v, mesh.point(v)}); }
-    void operator()(typename Mesh::Face_index, const typename Traits::Barycentric_coordinates&) {} // sources are corners
+    // not called, since sources are corners
+    void operator()(typename Mesh::Face_index, const typename Traits::Barycentric_coordinates&) {}
   };
 
   // The exponent e such that 2^e is between the diagonal of the bounding box and twice of it. Coordinates are halved,
@@ -146,14 +153,15 @@ private:
     return exponent + 2 + std::ilogb(squared_diagonal) / 2;
   }
 
-  // Relative to the origin, so that the rounding of the point on a segment is relative to the size of the patch, and not
-  // to its distance from the origin of the mesh.
+  // Relative to a corner, so that the rounding of a point on a segment is relative to the size of the patch, and not to
+  // its distance from the origin of the mesh.
   static Point_3 position(const Corner& c, const Position& origin, int exponent)
   {
     std::array<FT, 3> x;
     for(std::size_t i = 0; i < 3; ++i)
     {
-      const FT o(std::ldexp(origin[i], -exponent)), p(std::ldexp(c.p[i], -exponent)), q(std::ldexp(c.q[i], -exponent));
+      const FT o(std::ldexp(origin[i], -exponent));
+      const FT p(std::ldexp(c.p[i], -exponent)), q(std::ldexp(c.q[i], -exponent));
       x[i] = p - o;
       if(c.parameter != 0)
         x[i] += FT(c.parameter) * (q - p);
