@@ -4,9 +4,10 @@
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/squared_distance_3.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
@@ -69,7 +70,7 @@ public:
     for(const Corner& c : m_corners)
       m_mesh.add_vertex(position(c, origin, exponent));
     for(const std::array<std::size_t, 3>& f : m_faces)
-      if(m_mesh.add_face(vertex(f[0]), vertex(f[1]), vertex(f[2])) == Mesh::null_face())
+      if(m_mesh.add_face(vertex(f[0]), vertex(f[1]), vertex(f[2])) == boost::graph_traits<Mesh>::null_face())
         return false;
     return true;
   }
