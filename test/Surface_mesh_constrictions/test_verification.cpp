@@ -182,8 +182,8 @@ TEST(Verification, DoesNotDependOnTheLengthOfArcs)
   }
 }
 
-// Around a prism of six sides, up for three of them and down for the others: all is straight but for the two turns. Were
-// these the ends of two arcs and not inside others, each arc would be a shortest path.
+// Around a prism of six sides, up for three of them and down for the others: all is straight but for the two turns.
+// Were these the ends of two arcs and not inside others, each arc would be a shortest path.
 TEST(Verification, NoCrossingIsOnlyTheEndOfAnArc)
 {
   const double height = 2;

@@ -76,8 +76,8 @@ inline void add_verdict(const Arc_verdict& verdict, std::size_t location, Shorte
 ///   too, and errs on patches with many flat interior vertices, of which there is one at most here. About 50 times
 ///   slower.
 /// - `Exact_predicates_exact_constructions_kernel_with_sqrt`: CGAL's distances and paths are exact for the patch, whose
-///   points on edges are those of the rounded parameters. Use it with `maximum_number(2)` or 3: strips of four faces can
-///   take minutes. Stars of six faces take up to a second, unless two ways are equally long; then they may not end.
+///   points on edges are those of the rounded parameters. Use it with `maximum_number(2)` or 3: strips of four faces
+///   can take minutes. Stars of six faces take up to a second, unless two ways are equally long; then they may not end.
 ///
 /// \tparam Kernel a model of the %CGAL kernel concept; the patches have its points
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`

@@ -147,8 +147,8 @@ private:
     return left ? next(opposite(h, m_mesh), m_mesh) : opposite(prev(h, m_mesh), m_mesh);
   }
 
-  // Leaves out crossings of edges of the first location, a vertex, next to it on either side; a curve that came from the
-  // vertex itself would be no displacement.
+  // Leaves out crossings of edges of the first location, a vertex, next to it on either side; a curve that came from
+  // the vertex itself would be no displacement.
   bool leave_edges_of_first(Locations& l) const
   {
     const auto is_of_first = [&](const Location& x) {
