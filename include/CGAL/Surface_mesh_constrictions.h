@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_preserving_placement.h>
+#include <CGAL/Surface_mesh_constrictions/Shortest_path_verification.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
@@ -23,5 +24,6 @@
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/verify_with_shortest_paths.h>
 
 #endif // CGAL_SURFACE_MESH_CONSTRICTIONS_H
