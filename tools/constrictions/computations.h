@@ -2,6 +2,8 @@
 #ifndef CONSTRICTIONS_COMPUTATIONS_H
 #define CONSTRICTIONS_COMPUTATIONS_H
 
+#include "certificates.h"
+#include "curves_file.h"
 #include "loops_file.h"
 #include "report.h"
 #include "stage_monitor.h"
@@ -13,13 +15,16 @@ namespace constrictions {
 /// \name Detection
 /// One function for each policy of the simplification, each in a file of its own: they take long to compile.
 /// @{
-std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, Stage_monitor& monitor);
-std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, Stage_monitor& monitor);
-std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, Stage_monitor& monitor);
+std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, bool certifies, Stage_monitor& monitor);
+std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, bool certifies, Stage_monitor& monitor);
+std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, bool certifies, Stage_monitor& monitor);
 /// @}
 
 /// tightens the loops; fills the constrictions, the statistics and the remarks of the report.
-void tighten_loops(const Loops& loops, Stage_monitor& monitor, Report& report);
+void tighten_loops(const Loops& loops, bool certifies, Stage_monitor& monitor, Report& report);
+
+/// the certificate of each of the curves
+std::vector<Certified_curve> certify_curves(const Mesh& mesh, const Curves& curves, Stage_monitor& monitor);
 
 } // namespace constrictions
 

@@ -2,6 +2,7 @@
 #include "computations.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
@@ -10,14 +11,15 @@
 
 namespace constrictions {
 
-std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, Stage_monitor& monitor)
+std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, bool certifies, Stage_monitor& monitor)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
   namespace SMS = CGAL::Surface_mesh_simplification;
 
   std::vector<Constriction> result;
   SMC::detect_constrictions(mesh, std::back_inserter(result),
-                            CGAL::parameters::get_cost(SMS::LindstromTurk_cost<SMC::Simplification_mesh>())
+                            SMC::parameters::certify(certifies)
+                                .get_cost(SMS::LindstromTurk_cost<SMC::Simplification_mesh>())
                                 .get_placement(SMS::LindstromTurk_placement<SMC::Simplification_mesh>())
                                 .visitor(Monitoring_visitor(monitor)));
   return result;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "certificates.h"
 #include "computations.h"
+#include "curves_file.h"
 #include "input_file.h"
 #include "options.h"
 #include "output_file.h"
@@ -8,6 +10,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <iostream>
@@ -60,13 +63,13 @@ void detect(const Options& options, Stage_monitor& monitor, Report& report)
   switch(options.policy)
   {
     case Policy::GARLAND_HECKBERT:
-      report.constrictions = detect_with_garland_heckbert(report.mesh, monitor);
+      report.constrictions = detect_with_garland_heckbert(report.mesh, options.certifies, monitor);
       break;
     case Policy::LINDSTROM_TURK:
-      report.constrictions = detect_with_lindstrom_turk(report.mesh, monitor);
+      report.constrictions = detect_with_lindstrom_turk(report.mesh, options.certifies, monitor);
       break;
     case Policy::EDGE_LENGTH:
-      report.constrictions = detect_with_edge_length(report.mesh, monitor);
+      report.constrictions = detect_with_edge_length(report.mesh, options.certifies, monitor);
       break;
   }
   report.statistics = monitor.statistics;
@@ -76,7 +79,7 @@ void tighten(const Options& options, const Loops& loops, Stage_monitor& monitor,
 {
   try
   {
-    tighten_loops(loops, monitor, report);
+    tighten_loops(loops, options.certifies, monitor, report);
   }
   catch(const Invalid_input& e)
   {
@@ -107,9 +110,39 @@ void run(const Options& options)
     report.seconds.simplify = monitor.seconds(Detection_stage::SIMPLIFICATION);
     report.seconds.refine = monitor.seconds(Detection_stage::REFINEMENT);
     report.seconds.tighten = monitor.seconds(Detection_stage::TIGHTENING);
+    report.seconds.certify = monitor.seconds(Detection_stage::CERTIFICATION);
   }
   report.seconds.total = seconds_since(begin);
   write_outputs(options, report);
+}
+
+// Returns the exit code.
+int certify(const Options& options)
+{
+  std::vector<bool> is_turned;
+  const Mesh mesh = read_mesh_file(options.mesh, is_turned);
+  const Curves curves = read_curves_file(options.curves, mesh, is_turned);
+  check_outputs(options);
+
+  std::vector<Certified_curve> certified;
+  {
+    Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
+    certified = certify_curves(mesh, curves, monitor);
+  }
+  const std::string json = certificates_as_json(options.mesh, mesh, certified);
+  std::vector<Output_file> files;
+  for(const std::string& name : options.json_files())
+    files.push_back({name, json});
+  write_files(files);
+  write_to_standard_output(options.prints_json() ? json : certificates_as_lines(certified));
+
+  const auto failures = std::count_if(certified.begin(), certified.end(),
+                                      [](const Certified_curve& c) { return !c.certificate.is_certified(); });
+  if(failures == 0)
+    return 0;
+  std::cerr << "constrictions: " << printable(options.curves) << ": " << failures << " of " << certified.size()
+            << (certified.size() == 1 ? " curve" : " curves") << " not certified" << std::endl;
+  return 1;
 }
 
 // The exit code that belongs to the exception being handled, after its message has been shown.
@@ -151,6 +184,8 @@ int main(int argc, char** argv)
     return *exit_code;
   try
   {
+    if(options.command == constrictions::Command::CERTIFY)
+      return constrictions::certify(options);
     constrictions::run(options);
     return 0;
   }

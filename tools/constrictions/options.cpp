@@ -26,20 +26,31 @@ const char* const examples =
     "      writes result/constrictions.json and result/constrictions.polylines.txt\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
+    "  constrictions certify bone.ply --curves result/constrictions.json\n"
+    "      proves with exact arithmetic that the curves are constrictions, or says what is wrong with them\n"
     "\n"
-    "Exit codes: 0 done (there may be no constrictions), 1 the input is not a usable mesh, 2 wrong usage,\n"
-    "3 an output could not be written.\n";
+    "Exit codes: 0 done (there may be no constrictions), 1 the input is not a usable mesh or a curve is not certified,\n"
+    "2 wrong usage, 3 an output could not be written.\n";
 
-void add_common_options(CLI::App& command, Options& options)
+std::string not_empty(const std::string& name)
 {
-  const CLI::Validator not_empty([](const std::string& name) { return name.empty() ? "a name is missing" : ""; }, "");
-  const CLI::Validator not_dash([](const std::string& name) { return name == "-" ? "give the name of a file" : ""; },
-                                "");
+  return name.empty() ? "a name is missing" : "";
+}
 
+void add_mesh(CLI::App& command, Options& options)
+{
   command.add_option("MESH", options.mesh, "closed triangle mesh (OFF, OBJ, PLY or STL)")
       ->type_name("FILE")
       ->required()
       ->check(not_empty);
+}
+
+void add_common_options(CLI::App& command, Options& options)
+{
+  const CLI::Validator not_dash([](const std::string& name) { return name == "-" ? "give the name of a file" : ""; },
+                                "");
+
+  add_mesh(command, options);
   command.add_option("-o", options.folder,
                      "write constrictions.json and constrictions.polylines.txt into the folder DIR; it is created if "
                      "missing")
@@ -53,17 +64,37 @@ void add_common_options(CLI::App& command, Options& options)
       ->check(not_empty)
       ->check(not_dash);
   command.add_flag("--all", "report every distinct closed geodesic found; what this version always does");
-  command.add_flag("--no-certify", "compute no exact certificates; what this version always does");
+  command.add_flag_callback("--no-certify", [&options] { options.certifies = false; },
+                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
   command.add_flag("--quiet", options.quiet, "show no progress bar");
   command.footer("\nWithout -o, --json and --polylines a table is printed.\n");
+}
+
+void add_certify_options(CLI::App& command, Options& options)
+{
+  add_mesh(command, options);
+  command
+      .add_option("--curves", options.curves,
+                  "closed curves on the mesh: a JSON file as detect and tighten write it, of which the locations and "
+                  "pivots are read")
+      ->type_name("FILE")
+      ->required()
+      ->check(not_empty);
+  command.add_option("--json", options.json, "write the verdicts as JSON; - prints them, instead of the lines")
+      ->type_name("FILE|-")
+      ->check(not_empty);
+  command.add_flag("--quiet", options.quiet, "show no progress bar");
+  command.footer("\nPrints a line for each curve: its id, and strict_constriction, constriction, or not_certified with "
+                 "the\nreason. The exit code is 0 only if every curve is certified, else 1.\n");
 }
 
 // Files that would overwrite each other or the input are a mistake on the command line.
 void check_files(const Options& options)
 {
   std::vector<std::string> names = {options.mesh};
-  if(!options.loops.empty())
-    names.push_back(options.loops);
+  for(const std::string& name : {options.loops, options.curves})
+    if(!name.empty())
+      names.push_back(name);
   const std::size_t inputs = names.size();
   for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
     names.insert(names.end(), files.begin(), files.end());
@@ -130,10 +161,15 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
       ->type_name("FILE")
       ->required();
 
+  CLI::App& certify = *app.add_subcommand("certify", "prove that given curves are constrictions");
+  add_certify_options(certify, options);
+
   try
   {
     app.parse(argc, argv);
-    options.command = tighten.parsed() ? Command::TIGHTEN : Command::DETECT;
+    options.command = tighten.parsed()   ? Command::TIGHTEN
+                      : certify.parsed() ? Command::CERTIFY
+                                         : Command::DETECT;
     options.policy = policy == "gh"   ? Policy::GARLAND_HECKBERT
                      : policy == "lt" ? Policy::LINDSTROM_TURK
                                       : Policy::EDGE_LENGTH;

@@ -8,7 +8,7 @@
 
 namespace constrictions {
 
-enum class Command { DETECT, TIGHTEN };
+enum class Command { DETECT, TIGHTEN, CERTIFY };
 
 enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
 
@@ -18,10 +18,12 @@ struct Options
   Command command = Command::DETECT;
   std::string mesh;
   std::string loops;
+  std::string curves;
   std::string folder;
   std::string json; ///< "-" is the standard output
   std::string polylines;
   Policy policy = Policy::GARLAND_HECKBERT;
+  bool certifies = true;
   bool quiet = false;
 
   bool prints_json() const { return json == "-"; }

@@ -21,6 +21,7 @@ struct Stage_seconds
   double simplify = 0;
   double refine = 0;
   double tighten = 0;
+  double certify = 0;
   double total = 0;
 };
 

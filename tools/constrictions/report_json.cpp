@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report.h"
 
+#include "certificates.h"
+
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
@@ -8,8 +10,12 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -82,14 +88,20 @@ Json points_as_json(const Constriction& c, const Mesh& mesh)
   return result;
 }
 
-// Barycentric coordinates are in the order of the corners in the file.
+// Barycentric coordinates are in the order of the corners in the file. Two of them are zero at pivots only: a crossing
+// that rounding has moved to an end of its edge is written beside it, so that its edge can be told from the numbers.
 Json locations_as_json(const Constriction& c, const Mesh& mesh, const std::vector<bool>& is_turned)
 {
   std::vector<Constriction::Face_location> locations;
   c.face_locations(mesh, std::back_inserter(locations));
   Json result = Json::array();
-  for(Constriction::Face_location l : locations)
+  for(std::size_t i = 0; i < locations.size(); ++i)
   {
+    Constriction::Face_location l = locations[i];
+    Mesh::Halfedge_index h = mesh.halfedge(l.first);
+    for(std::size_t corner = 0; corner < 3 && !c.locations()[i].is_pivot; ++corner, h = mesh.next(h))
+      if(h == c.locations()[i].halfedge || mesh.prev(h) == c.locations()[i].halfedge)
+        l.second[corner] = (std::max)(l.second[corner], (std::numeric_limits<double>::min)());
     if(is_turned[l.first])
       std::swap(l.second[1], l.second[2]);
     result.push_back({{"face", l.first.idx()}, {"barycentric", l.second}});
@@ -116,6 +128,15 @@ Json seed_as_json(const Constriction::Seed& seed)
   return {{"level", seed.level}, {"vertices", vertices}, {"origin", name(seed.origin)}};
 }
 
+Json signs_as_json(const SMC::Sign_statistics& signs)
+{
+  return {{"interval", signs.interval},
+          {"multiprecision", signs.multiprecision},
+          {"finite_field", signs.finite_field},
+          {"algebra", signs.algebra},
+          {"unproved", signs.unproved}};
+}
+
 Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mesh, const std::vector<bool>& is_turned)
 {
   return {{"id", id},
@@ -123,7 +144,7 @@ Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mes
           {"points", points_as_json(c, mesh)},
           {"locations", locations_as_json(c, mesh, is_turned)},
           {"pivots", pivots_as_json(c)},
-          {"certificate", "not_certified: no exact certificate has been computed"},
+          {"certificate", certificate_as_text(c.certificate())},
           {"side", name(c.side())},
           {"separating", c.is_separating()},
           {"areas", c.areas()},
@@ -152,13 +173,16 @@ std::string report_as_json(const Report& report)
                        {"degenerate", s.degenerate},
                        {"merged", s.merged},
                        {"not_simple", s.not_simple},
-                       {"leaky_bands", s.leaky_bands}}},
+                       {"leaky_bands", s.leaky_bands},
+                       {"not_certified", s.not_certified},
+                       {"corrected", s.corrected},
+                       {"signs", signs_as_json(s.signs)}}},
                      {"seconds",
                       {{"read", t.read},
                        {"simplify", t.simplify},
                        {"refine", t.refine},
                        {"tighten", t.tighten},
-                       {"certify", 0.},
+                       {"certify", t.certify},
                        {"total", t.total}}},
                      {"peak_rss_bytes", peak_rss_bytes()}};
   // a file name need not be UTF-8, JSON must be

@@ -15,6 +15,14 @@ const char* name(CGAL::Surface_mesh_constrictions::Side side)
   return side == Side::OBJECT ? "object" : side == Side::COMPLEMENT ? "complement" : "mixed";
 }
 
+const char* name(const CGAL::Surface_mesh_constrictions::Certificate& certificate)
+{
+  using CGAL::Surface_mesh_constrictions::Certificate_verdict;
+  return certificate.verdict == Certificate_verdict::STRICT_CONSTRICTION ? "strict"
+         : certificate.is_certified()                                    ? "not strict"
+                                                                         : "none";
+}
+
 } // namespace
 
 std::string report_as_table(const Report& report)
@@ -24,13 +32,13 @@ std::string report_as_table(const Report& report)
   std::ostringstream out;
   if(!report.constrictions.empty())
     out << setw(5) << "id" << setw(14) << "length" << setw(8) << "points" << setw(8) << "pivots" << setw(12)
-        << "separating" << setw(12) << "side" << setw(12) << "seed level" << '\n';
+        << "separating" << setw(12) << "side" << setw(12) << "certificate" << setw(12) << "seed level" << '\n';
   for(std::size_t id = 0; id < report.constrictions.size(); ++id)
   {
     const Constriction& c = report.constrictions[id];
     out << setw(5) << id << setw(14) << c.length() << setw(8) << c.locations().size() << setw(8) << c.pivots().size()
         << setw(12) << (c.is_separating() ? "yes" : "no") << setw(12) << name(c.side()) << setw(12)
-        << c.seeds().front().level << '\n';
+        << name(c.certificate()) << setw(12) << c.seeds().front().level << '\n';
   }
   for(const std::string& remark : report.remarks)
     out << remark << '\n';
@@ -39,7 +47,7 @@ std::string report_as_table(const Report& report)
   const auto& s = report.statistics;
   out << n << (n == 1 ? " constriction" : " constrictions") << " from " << s.seeds
       << (s.seeds == 1 ? " seed curve" : " seed curves") << " (" << s.degenerate << " degenerate, " << s.not_simple
-      << " not simple, " << s.merged << " merged)\n";
+      << " not simple, " << s.not_certified << " not certified, " << s.merged << " merged)\n";
   return out.str();
 }
 

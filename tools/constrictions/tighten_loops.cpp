@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "computations.h"
 
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
@@ -10,7 +11,7 @@
 
 namespace constrictions {
 
-void tighten_loops(const Loops& loops, Stage_monitor& monitor, Report& report)
+void tighten_loops(const Loops& loops, bool certifies, Stage_monitor& monitor, Report& report)
 {
   using namespace CGAL::Surface_mesh_constrictions;
 
@@ -21,6 +22,7 @@ void tighten_loops(const Loops& loops, Stage_monitor& monitor, Report& report)
     {
       case Tightening_verdict::CLOSED_GEODESIC:
         report.constrictions.push_back(tightened.curve);
+        report.statistics.signs = report.statistics.signs + tightened.curve.certificate().signs;
         break;
       case Tightening_verdict::DEGENERATE:
         ++report.statistics.degenerate;
@@ -30,13 +32,18 @@ void tighten_loops(const Loops& loops, Stage_monitor& monitor, Report& report)
         ++report.statistics.not_simple;
         report.remarks.push_back(loop + ": not simple, it shortens to a curve that crosses or touches itself");
         break;
+      case Tightening_verdict::NOT_CERTIFIED:
+        ++report.statistics.not_certified;
+        report.remarks.push_back(loop + ": not certified, it could not be proved to shorten to a constriction");
+        break;
     }
     monitor.step(++done);
   };
 
   report.statistics.seeds = loops.vertices.size();
   monitor.begin(Detection_stage::TIGHTENING, loops.vertices.size());
-  tighten_closed_curves(report.mesh, loops.vertices, boost::make_function_output_iterator(take));
+  tighten_closed_curves(report.mesh, loops.vertices, boost::make_function_output_iterator(take),
+                        parameters::certify(certifies));
   monitor.end(Detection_stage::TIGHTENING);
 }
 
