@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "computations.h"
+#include "selection_parameters.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 
@@ -10,16 +11,17 @@
 
 namespace constrictions {
 
-std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, Stage_monitor& monitor)
+std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Selection& selection,
+                                                  Stage_monitor& monitor)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
   namespace SMS = CGAL::Surface_mesh_simplification;
 
   std::vector<Constriction> result;
-  SMC::detect_constrictions(mesh, std::back_inserter(result),
-                            CGAL::parameters::get_cost(SMS::Edge_length_cost<SMC::Simplification_mesh>())
-                                .get_placement(SMS::Midpoint_placement<SMC::Simplification_mesh>())
-                                .visitor(Monitoring_visitor(monitor)));
+  const auto policies = CGAL::parameters::get_cost(SMS::Edge_length_cost<SMC::Simplification_mesh>())
+                            .get_placement(SMS::Midpoint_placement<SMC::Simplification_mesh>())
+                            .visitor(Monitoring_visitor(monitor));
+  SMC::detect_constrictions(mesh, std::back_inserter(result), with_selection(selection, policies));
   return result;
 }
 

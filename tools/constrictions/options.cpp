@@ -52,10 +52,34 @@ void add_common_options(CLI::App& command, Options& options)
       ->type_name("FILE")
       ->check(not_empty)
       ->check(not_dash);
-  command.add_flag("--all", "report every distinct closed geodesic found; what this version always does");
   command.add_flag("--no-certify", "compute no exact certificates; what this version always does");
   command.add_flag("--quiet", options.quiet, "show no progress bar");
   command.footer("\nWithout -o, --json and --polylines a table is printed.\n");
+}
+
+void add_selection_options(CLI::App& command, Selection& selection)
+{
+  const CLI::Validator not_negative(
+      [](const std::string& text) {
+        double value = 0;
+        return CLI::detail::lexical_cast(text, value) && value >= 0 ? "" : "give a number that is not negative";
+      },
+      "");
+
+  command.add_flag("--all", selection.all, "report every distinct closed geodesic found, no selection");
+  command.add_option("--max", selection.maximum_number, "report the N most prominent at most")->type_name("N");
+  command
+      .add_option("--min-prominence", selection.minimum_prominence,
+                  "leave out curves that slide to a shorter one, or off, when they are made longer by this share or "
+                  "less")
+      ->type_name("P")
+      ->check(not_negative);
+  command
+      .add_option("--max-ratio", selection.maximum_ratio,
+                  "leave out curves that cut off less area than so: length^2 / (4 pi area) is greater than this; 0.5 is "
+                  "the equator of a sphere")
+      ->type_name("R")
+      ->check(not_negative);
 }
 
 // Files that would overwrite each other or the input are a mistake on the command line.
@@ -120,6 +144,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
                   "Lindstrom-Turk, length shortest edge first")
       ->type_name("gh|lt|length")
       ->check(CLI::IsMember({"gh", "lt", "length"}).description(""));
+
+  add_selection_options(detect, options.selection);
 
   CLI::App& tighten = *app.add_subcommand("tighten", "shorten given loops until they are constrictions");
   add_common_options(tighten, options);

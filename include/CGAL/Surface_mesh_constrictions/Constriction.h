@@ -12,7 +12,9 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -85,6 +87,8 @@ public:
     std::array<double, 2> areas = {0, 0};
     double isoperimetric_ratio = 0;
     Side side = Side::MIXED;
+    double prominence = std::numeric_limits<double>::quiet_NaN();
+    std::optional<std::size_t> dominated_by;
   };
 
   Constriction() : m_data(std::make_shared<const Data>()) {}
@@ -116,6 +120,18 @@ public:
   double isoperimetric_ratio() const { return m_data->isoperimetric_ratio; }
 
   Side side() const { return m_data->side; }
+
+  /// how much longer the curve must become, relative to its length, before it can slide to where it is shorter or off
+  /// over a point; see `compute_prominences()`. NaN if it has not been computed.
+  double prominence() const { return m_data->prominence; }
+
+  /// the constriction that the curve slides to when it is made longer by its prominence, given by its place in the
+  /// sequence that this one was written to the output in; none if the curve slides off over a point, or to none of the
+  /// constrictions in that sequence
+  const std::optional<std::size_t>& dominated_by() const { return m_data->dominated_by; }
+
+  /// all of the above
+  const Data& data() const { return *m_data; }
 
   /// writes the points of the curve, in the order of `locations()`, to `out`.
   ///

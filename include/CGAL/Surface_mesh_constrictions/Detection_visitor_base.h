@@ -8,8 +8,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What became of the seed curves. Every seed ends in exactly one of `degenerate`, `not_simple`, `merged` or as the
-/// first seed of a returned curve.
+/// What became of the seed curves. Every seed ends in exactly one of `degenerate`, `not_simple`, `merged`,
+/// `not_selected` or as the first seed of a returned curve.
 struct Detection_statistics
 {
   std::size_t collapses = 0;    ///< edge collapses of the simplification
@@ -17,12 +17,13 @@ struct Detection_statistics
   std::size_t degenerate = 0;   ///< seeds that shortened to a point
   std::size_t not_simple = 0;   ///< seeds that ended in a curve that crosses or touches itself
   std::size_t merged = 0;       ///< seeds that ended in a curve that another seed had found
+  std::size_t not_selected = 0; ///< distinct closed geodesics that were found and are not returned
   std::size_t leaky_bands = 0;  ///< times a curve slipped out of a flat band that leaks, and went on shortening
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The stages of `detect_constrictions()`, in order.
-enum class Detection_stage { SIMPLIFICATION, REFINEMENT, TIGHTENING };
+enum class Detection_stage { SIMPLIFICATION, REFINEMENT, TIGHTENING, SELECTION };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Visitor of `detect_constrictions()` whose callbacks do nothing: derive from it and hide what you need.
