@@ -89,6 +89,7 @@ public:
     Side side = Side::MIXED;
     double prominence = std::numeric_limits<double>::quiet_NaN();
     std::optional<std::size_t> dominated_by;
+    std::vector<std::size_t> crosses;
   };
 
   Constriction() : m_data(std::make_shared<const Data>()) {}
@@ -129,6 +130,11 @@ public:
   /// sequence that this one was written to the output in; none if the curve slides off over a point, or to none of the
   /// constrictions in that sequence
   const std::optional<std::size_t>& dominated_by() const { return m_data->dominated_by; }
+
+  /// the shorter constrictions that the curve crosses, there and back, given by their places as above. Those of
+  /// negligible prominence, less than 0.01, are left out; and so are those that cross it an odd number of times, as a
+  /// meridian of a torus crosses an equator.
+  const std::vector<std::size_t>& crosses() const { return m_data->crosses; }
 
   /// all of the above
   const Data& data() const { return *m_data; }

@@ -34,6 +34,7 @@ void set_prominences(const Progressive_mesh& pm, const std::vector<std::vector<T
     data.dominated_by.reset();
     if(p[i].dominated_by != null_index)
       data.dominated_by = p[i].dominated_by;
+    data.crosses.assign(p[i].crosses.begin(), p[i].crosses.end());
     constrictions[i] = Constriction<TriangleMesh>(std::move(data));
   }
 }

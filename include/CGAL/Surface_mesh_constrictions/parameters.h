@@ -33,6 +33,7 @@ enum first_constriction_only_t { first_constriction_only };
 enum minimum_prominence_t { minimum_prominence };
 enum maximum_isoperimetric_ratio_t { maximum_isoperimetric_ratio };
 enum maximum_number_of_constrictions_t { maximum_number_of_constrictions };
+enum crossing_constrictions_t { crossing_constrictions };
 enum all_constrictions_t { all_constrictions };
 
 } // namespace internal_np
@@ -61,6 +62,7 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(first_constriction_only)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_prominence)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_isoperimetric_ratio)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_constrictions)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(crossing_constrictions)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(all_constrictions)
 
 } // namespace parameters

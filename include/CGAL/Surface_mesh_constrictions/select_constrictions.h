@@ -65,8 +65,14 @@ constexpr double default_maximum_isoperimetric_ratio = 0.25;
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{crossing_constrictions}
+///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected, there
+///                           and back: see `Constriction::crosses()`}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{all_constrictions}
-///     \cgalParamDescription{whether to select all, whatever their prominence and isoperimetric ratio}
+///     \cgalParamDescription{whether to select all, whatever their prominence and isoperimetric ratio and whatever they cross}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -88,6 +94,7 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
                                                 default_maximum_isoperimetric_ratio);
   const std::size_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number_of_constrictions),
                                                       (std::numeric_limits<std::size_t>::max)());
+  const bool with_crossing = choose_parameter(get_parameter(np, internal_np::crossing_constrictions), false);
   const bool all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
 
   const std::vector<Result> given(constrictions.begin(), constrictions.end());
@@ -99,19 +106,36 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
   std::stable_sort(order.begin(), order.end(), [&given](std::size_t i, std::size_t j) {
     return given[i].prominence() > given[j].prominence();
   });
-  if(order.size() > maximum_number)
-    order.resize(maximum_number);
 
+  // the more prominent first, without those that cross one of them
+  std::vector<std::vector<std::size_t> > crossing(given.size());
+  if(!all && !with_crossing)
+    for(std::size_t i = 0; i < given.size(); ++i)
+      for(std::size_t j : given[i].crosses())
+      {
+        crossing[i].push_back(j);
+        crossing[j].push_back(i);
+      }
+  std::vector<std::size_t> selected;
   std::vector<std::optional<std::size_t> > place(given.size());
-  for(std::size_t i = 0; i < order.size(); ++i)
-    place[order[i]] = i;
   for(std::size_t i : order)
+    if(selected.size() < maximum_number &&
+       std::none_of(crossing[i].begin(), crossing[i].end(), [&](std::size_t j) { return place[j].has_value(); }))
+    {
+      place[i] = selected.size();
+      selected.push_back(i);
+    }
+  for(std::size_t i : selected)
   {
     std::optional<std::size_t> dominating = given[i].dominated_by();
     while(dominating && !place[*dominating])
       dominating = given[*dominating].dominated_by();
     typename Result::Data data = given[i].data();
     data.dominated_by = dominating ? place[*dominating] : std::nullopt;
+    data.crosses.clear();
+    for(std::size_t j : given[i].crosses())
+      if(place[j])
+        data.crosses.push_back(*place[j]);
     *out++ = Result(std::move(data));
   }
   return out;

@@ -5,9 +5,8 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -54,91 +53,84 @@ inline std::vector<Index> crossings_beside_pivots(const Progressive_mesh& pm, co
   return result;
 }
 
-// For a set of closed curves, moved a little to their left at their pivots: which of them cross an edge.
+// For a growing set of closed curves, moved a little to their left at their pivots: which of them cross an edge.
 class Curve_crossings
 {
 public:
-  // A range of numbers of curves, ascending.
-  struct Range
-  {
-    const Index *first, *last;
+  // Linear in the size of the mesh.
+  explicit Curve_crossings(const Progressive_mesh& pm)
+    : m_pm(pm), m_edges(pm.number_of_halfedge_ids()), m_vertices(pm.number_of_vertex_ids())
+  {}
 
-    const Index* begin() const { return first; }
-    const Index* end() const { return last; }
-    bool empty() const { return first == last; }
-  };
-
-  // Linear in the size of the mesh, and O(k log k) in the total number of crossings.
-  Curve_crossings(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces)
-    : m_pm(pm)
+  // Adds a curve, of which these are the crossed halfedges. Curves are numbered in the order in which they are added.
+  // Linear in the number of crossings.
+  void add(const std::vector<Index>& crossings)
   {
-    std::vector<Entry> at_edge, at_vertex;
-    for(Index c = 0; c < traces.size(); ++c)
+    const Index c = static_cast<Index>(m_curves.size());
+    m_curves.push_back({crossings, 0});
+    for(Index h : crossings)
     {
-      m_crossings.push_back(crossings_beside_pivots(pm, traces[c]));
-      for(Index h : m_crossings.back())
-      {
-        at_edge.emplace_back(pm.edge(h), c);
-        at_vertex.emplace_back(pm.source(h), c);
-        at_vertex.emplace_back(pm.target(h), c);
-      }
+      m_edges.toggle(m_pm.edge(h), c);
+      for(Index v : {m_pm.source(h), m_pm.target(h)})
+        m_curves[c].number_of_vertices += m_vertices.insert(v, c);
     }
-    std::sort(at_edge.begin(), at_edge.end());
-    std::vector<Entry> odd; // a curve that crosses an edge twice is back on the same side
-    for(const Entry& e : at_edge)
-      if(!odd.empty() && odd.back() == e)
-        odd.pop_back();
-      else
-        odd.push_back(e);
-    std::sort(at_vertex.begin(), at_vertex.end());
-    at_vertex.erase(std::unique(at_vertex.begin(), at_vertex.end()), at_vertex.end());
-    m_vertices_of_curve.assign(traces.size(), 0);
-    for(const Entry& e : at_vertex)
-      ++m_vertices_of_curve[e.second];
-    m_edges.fill(odd, pm.number_of_halfedge_ids());
-    m_vertices.fill(at_vertex, pm.number_of_vertex_ids());
   }
 
-  std::size_t number_of_curves() const { return m_crossings.size(); }
+  std::size_t number_of_curves() const { return m_curves.size(); }
 
   // the halfedges that a curve crosses, in order
-  const std::vector<Index>& crossings(Index curve) const { return m_crossings[curve]; }
-
-  // the curves on different sides of which the ends of a halfedge lie, as far as the edge tells
-  Range curves_at_edge(Index h) const { return m_edges.range(m_pm.edge(h)); }
-
-  // the curves that cross an edge of a vertex
-  Range curves_at_vertex(Index v) const { return m_vertices.range(v); }
+  const std::vector<Index>& crossings(Index curve) const { return m_curves[curve].crossings; }
 
   // the number of different vertices of the edges that a curve crosses
-  std::size_t number_of_vertices(Index curve) const { return m_vertices_of_curve[curve]; }
+  std::size_t number_of_vertices(Index curve) const { return m_curves[curve].number_of_vertices; }
+
+  // the curves on different sides of which the ends of a halfedge lie, as far as the edge tells; ascending
+  const std::vector<Index>& curves_at_edge(Index h) const { return m_edges[m_pm.edge(h)]; }
+
+  // the curves that cross an edge of a vertex; ascending
+  const std::vector<Index>& curves_at_vertex(Index v) const { return m_vertices[v]; }
 
 private:
-  typedef std::pair<Index, Index> Entry; // an element and a curve
-
-  // The curves at each element, one behind the other.
-  struct Table
+  struct Curve
   {
-    std::vector<Index> first, curves;
+    std::vector<Index> crossings;
+    std::size_t number_of_vertices;
+  };
 
-    void fill(const std::vector<Entry>& sorted, std::size_t size)
+  // The curves at each element, most of which have none.
+  class Table
+  {
+  public:
+    explicit Table(std::size_t size) : m_has_curves(size, false) {}
+
+    const std::vector<Index>& operator[](Index i) const { return m_has_curves[i] ? m_curves.at(i) : m_none; }
+
+    // Returns whether the newest curve, which this is, was not there.
+    bool insert(Index i, Index curve)
     {
-      first.assign(size + 1, 0);
-      for(const Entry& e : sorted)
-      {
-        ++first[e.first + 1];
-        curves.push_back(e.second);
-      }
-      for(std::size_t i = 0; i < size; ++i)
-        first[i + 1] += first[i];
+      m_has_curves[i] = true;
+      std::vector<Index>& curves = m_curves[i];
+      if(!curves.empty() && curves.back() == curve)
+        return false;
+      curves.push_back(curve);
+      return true;
     }
 
-    Range range(Index i) const { return {curves.data() + first[i], curves.data() + first[i + 1]}; }
+    // Inserts the newest curve, or takes it out: when it crosses an edge twice it is back on the same side.
+    void toggle(Index i, Index curve)
+    {
+      if(!insert(i, curve))
+        m_curves[i].pop_back();
+    }
+
+  private:
+    std::vector<bool> m_has_curves;
+    std::unordered_map<Index, std::vector<Index> > m_curves;
+    std::vector<Index> m_none;
   };
 
   const Progressive_mesh& m_pm;
-  std::vector<std::vector<Index> > m_crossings;
-  std::vector<std::size_t> m_vertices_of_curve;
+  std::vector<Curve> m_curves;
   Table m_edges, m_vertices;
 };
 

@@ -180,6 +180,9 @@ private:
           offer(corner, m_vertices[p].distance + dot(direction, apex), side);
         return;
       }
+      // where the corner is not obtuse the front comes to it through another edge
+      if(i == 0 && dot(portal.left - apex, portal.right - apex) >= 0)
+        return;
       (foot < 0 ? portal.left : portal.right) = apex;
       h = m_pm.opposite(foot < 0 ? m_pm.next(h) : m_pm.prev(h));
     }

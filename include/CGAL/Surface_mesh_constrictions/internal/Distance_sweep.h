@@ -5,10 +5,11 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_crossings.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distance_front.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Front_start.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Side_classes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
-#include <CGAL/Surface_mesh_constrictions/internal/coincidence.h>
+#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
 #include <algorithm>
 #include <array>
@@ -24,8 +25,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Sweeps from a curve to its two sides by the level sets of the distance to it. Which side has been swept how far, how
-// long the level sets were, and which other curves have been swept over.
+// Sweeps from a curve to its two sides by the level sets of the distance to it: how long they are, and which other
+// curves have been swept over.
 //
 // The distance is interpolated linearly in each face, so each level set is a set of closed polygons on the mesh, whose
 // length is exact but for rounding, whatever the error of the distances.
@@ -33,27 +34,43 @@ class Distance_sweep
 {
 public:
   // Linear in the size of the mesh.
-  Distance_sweep(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces)
-    : m_pm(pm), m_traces(traces), m_crossings(pm, traces), m_front(pm), m_class(pm.number_of_vertex_ids()),
-      m_class_sweep(pm.number_of_vertex_ids(), 0), m_other(traces.size())
+  explicit Distance_sweep(const Progressive_mesh& pm)
+    : m_pm(pm), m_crossings(pm), m_front(pm), m_class(pm.number_of_vertex_ids()),
+      m_class_sweep(pm.number_of_vertex_ids(), 0)
   {}
 
-  // Starts at curve c. Other curves count if their number is less than c.
-  void start(Index c, double length)
+  // Adds a curve, given by its trace, to those that later sweeps look for.
+  void add_curve(const std::vector<Trace_point>& trace) { m_crossings.add(crossings_beside_pivots(m_pm, trace)); }
+
+  // Starts at a curve.
+  void start(const std::vector<Trace_point>& trace, double length)
   {
     ++m_sweep;
     m_scale = Level_scale(length);
     m_front.restart();
-    m_classes.restart(c);
+    m_classes.restart();
     m_covered.clear();
+    m_crossed.clear();
+    m_vertices.clear();
+    m_other.clear();
+    for(Index a = 0; a < m_crossings.number_of_curves(); ++a)
+      m_other.push_back({m_crossings.number_of_vertices(a), {{0, 0}}, true, false});
     for(Side& s : m_sides)
       s = Side();
-    for(Index a = 0; a < c; ++a)
-      m_other[a] = {m_crossings.number_of_vertices(a), {{0, 0}}, true, false};
-    classify_beside(c);
-    cut_faces_along(m_traces[c]);
-    start_from_pivots(m_traces[c]);
-    m_sides[0].length_at_start = m_sides[1].length_at_start = length;
+    classify_beside(crossings_beside_pivots(m_pm, trace));
+    for(const Trace_point& p : trace)
+      if(p.is_pivot())
+        m_vertices.push_back(p.pivot);
+    start_front(m_pm, trace, m_front, m_sides[0].start, m_sides[1].start);
+    for(Index v : m_vertices)
+      settled(v, Distance_front::both_sides);
+    for(Side& s : m_sides)
+    {
+      for(Index f : s.start.faces)
+        s.touched.emplace_back(f, 0.);
+      s.length = length;
+      s.length_beyond.assign(m_other.size(), 0);
+    }
   }
 
   // Goes on until the next level set of a side is complete, and returns its length.
@@ -66,13 +83,23 @@ public:
       if(v == null_index)
         side.used_up = true;
       else
+      {
+        m_vertices.push_back(v);
         settled(v, s);
+      }
     }
     ++side.level;
-    double length = 0;
-    for(std::size_t c = 0; c < side.lengths.number_of_classes(); ++c)
-      length += side.lengths.length(c, side.level);
-    return length;
+    std::fill(side.length_beyond.begin(), side.length_beyond.end(), 0.);
+    side.length = 0;
+    for(Index c = 0; c < side.lengths.number_of_classes(); ++c)
+    {
+      const double length = side.lengths.length(c, side.level);
+      side.length += length;
+      if(length > 0)
+        for(Index a : m_classes.curves(c))
+          side.length_beyond[a] += length;
+    }
+    return side.length;
   }
 
   // whether the last level set of a side was behind the furthest point
@@ -81,7 +108,7 @@ public:
     return m_sides[s].used_up && m_scale.level(m_sides[s].level) > m_front.reached(s);
   }
 
-  // the curves that have been swept over as a whole, and that lie on one side of every level set but where they cross it
+  // the curves that have been swept over as a whole, and that part what has been swept
   template <class Function>
   void for_each_covered(const Function& f) const
   {
@@ -95,40 +122,55 @@ public:
     }
   }
 
-  // whether a curve that has been swept over crosses the curve that the sweep started from, or runs so close to it that
-  // there is no vertex between them
-  bool crosses_start(Index curve) const { return m_other[curve].crosses_start; }
+  // whether a curve crosses the curve that the sweep started from, or touches it, or runs so close to it that there is
+  // no vertex between them
+  bool is_beside_start(Index curve) const { return m_other[curve].is_beside_start; }
+
+  // The curves that cross the curve that the sweep started from, and cross it back again. Those that run beside it, or
+  // touch it, are no such; nor, on a surface with handles, are those that part no neighbourhood of it.
+  const std::vector<Index>& crossed_by_start() const { return m_crossed; }
 
   // If the sweep stops at a curve that has been swept over, instead of going on behind it: the length of what else is
   // left of the level sets. `s` is the side on which the start, swept, would become that curve.
   double rest(Index curve, std::size_t s) const
   {
-    double sum = 0;
-    for(std::size_t c = 0; c < m_classes.size(); ++c)
-    {
-      const std::size_t side = m_classes.is_beyond(static_cast<Index>(c), curve) ? 1 - s : s;
-      sum += length_in_class(c, side);
-    }
-    return sum;
+    const Side &near = m_sides[s], &far = m_sides[1 - s];
+    return (std::max)(near.length - near.length_beyond[curve], 0.) + far.length_beyond[curve];
   }
 
-private:
-  // A corner of a piece of a face that the start cuts: a vertex, or a point of the start.
-  struct Corner
-  {
-    Index vertex; // or null_index
-    Vector3 point;
-  };
+  // the distance of the furthest point of a curve that has been swept over
+  double distance(Index curve) const { return (std::max)(m_other[curve].furthest[0], m_other[curve].furthest[1]); }
 
+  // the distance of the last level set of a side
+  double reached(std::size_t s) const { return m_scale.level(m_sides[s].level); }
+
+  // The vertices that have been reached, in no order.
+  const std::vector<Index>& vertices() const { return m_vertices; }
+
+  bool has_reached(Index v) const { return m_front.is_settled(v) && has_class(v); }
+
+  // of a vertex that has been reached: positive on side s
+  double signed_distance(Index v, std::size_t s) const
+  {
+    return m_front.is_settled(v, s) ? m_front.distance(v) : -m_front.distance(v);
+  }
+
+  // Whether a vertex that has been reached lies on the other side of a curve than where the sweep began.
+  bool is_beyond(Index v, Index curve) const { return m_classes.is_beyond(m_class[v], curve); }
+
+  // The halfedges that a curve crosses.
+  const std::vector<Index>& crossings(Index curve) const { return m_crossings.crossings(curve); }
+
+private:
   struct Side
   {
     Level_lengths lengths;
-    std::size_t level = 0;                   // the last that is complete
-    double length_at_start = 0;
-    bool used_up = false;                    // every vertex that can be reached is settled
-    std::vector<Index> beside_start;         // vertices of the faces that the start cuts
-    std::size_t number_settled = 0;          // of these, from the beginning of the list
-    std::vector<std::array<Corner, 3> > cut; // what the start cuts these faces into
+    std::size_t level = 0;             // the last that is complete
+    double length = 0;                 // of its level set
+    std::vector<double> length_beyond; // of the parts of that on the other side of each curve
+    bool used_up = false;              // every vertex that can be reached is settled
+    Front_start start;
+    std::size_t number_settled = 0; // of the vertices beside the start, from the beginning of the list
     std::deque<std::pair<Index, double> > touched; // faces and where the front was when it reached them
   };
 
@@ -138,28 +180,20 @@ private:
     std::size_t vertices_left;      // vertices beside it that are not settled
     std::array<double, 2> furthest; // of those that are, on each side
     bool is_consistent;             // whether the classes tell on which side of it a place is
-    bool crosses_start;
+    bool is_beside_start;
   };
-
-  double length_in_class(std::size_t c, std::size_t s) const
-  {
-    const Side& side = m_sides[s];
-    if(side.level == 0)
-      return c == 0 ? side.length_at_start : 0;
-    return c < side.lengths.number_of_classes() ? side.lengths.length(c, side.level) : 0;
-  }
 
   // The distance up to which the lengths of a side's level sets are complete.
   double complete(std::size_t s)
   {
     Side& side = m_sides[s];
-    while(side.number_settled < side.beside_start.size() &&
-          m_front.is_settled(side.beside_start[side.number_settled]))
-      if(++side.number_settled == side.beside_start.size())
+    while(side.number_settled < side.start.vertices.size() &&
+          m_front.is_settled(side.start.vertices[side.number_settled]))
+      if(++side.number_settled == side.start.vertices.size())
         add_cut_faces(s);
     if(side.used_up)
       return (std::numeric_limits<double>::infinity)();
-    if(side.number_settled < side.beside_start.size())
+    if(side.number_settled < side.start.vertices.size())
       return 0;
     while(!side.touched.empty() && is_finished(side.touched.front().first, s))
       side.touched.pop_front();
@@ -178,8 +212,6 @@ private:
     }
     return all;
   }
-
-  Vector3 point(Index v) const { return vector(Progressive_mesh::Point(0, 0, 0), m_pm.point(v)); }
 
   bool has_class(Index v) const { return m_class_sweep[v] == m_sweep; }
 
@@ -204,9 +236,8 @@ private:
   }
 
   // Classifies the vertices on both sides of the start. Class 0 is that of a vertex on its left.
-  void classify_beside(Index c)
+  void classify_beside(const std::vector<Index>& crossings)
   {
-    const std::vector<Index>& crossings = m_crossings.crossings(c);
     set_class(m_pm.target(crossings[0]), 0);
     for(std::size_t i = 0; i <= crossings.size(); ++i)
     {
@@ -217,107 +248,34 @@ private:
       else
         set_class(v, m_classes.across(m_class[u], m_crossings.curves_at_edge(h)));
     }
-    for(Index k = 0; k < m_classes.size(); ++k)
-      for(Index a : m_classes.curves(k))
-        m_other[a].crosses_start = true;
-  }
-
-  // Bars the faces that the start crosses, and gives their corners their distances.
-  void cut_faces_along(const std::vector<Trace_point>& trace)
-  {
-    std::vector<Strand> all = strands(m_pm, trace);
-    std::sort(all.begin(), all.end(), [](const Strand& a, const Strand& b) { return a.face < b.face; });
-    for(std::size_t i = 0; i < all.size();)
+    std::array<std::vector<Index>, 2> classes; // of the vertices on the left and on the right
+    for(Index h : crossings)
     {
-      std::size_t end = i;
-      while(end < all.size() && all[end].face == all[i].face)
-        ++end;
-      m_front.bar(all[i].face);
-      cut_face(all.data() + i, all.data() + end);
-      i = end;
+      classes[0].push_back(m_class[m_pm.target(h)]);
+      classes[1].push_back(m_class[m_pm.source(h)]);
     }
-  }
-
-  void cut_face(const Strand* begin, const Strand* end)
-  {
-    const Index f = begin->face;
-    // walking around the face, the left side follows an exit and the right side an entry
-    struct End
+    std::vector<Index> on_both;
+    for(std::vector<Index>& c : classes)
     {
-      double place;
-      std::size_t side;
-      const Strand* strand;
-    };
-    std::vector<End> ends;
-    for(const Strand* s = begin; s != end; ++s)
-    {
-      ends.push_back({s->exit, 0, s});
-      ends.push_back({s->entry, 1, s});
+      std::sort(c.begin(), c.end());
+      c.erase(std::unique(c.begin(), c.end()), c.end());
+      for(Index a : m_classes.curves_between(c))
+        on_both.push_back(a);
+      for(Index k : c)
+        for(Index a : m_classes.curves(k))
+          m_other[a].is_beside_start = true;
     }
-    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.place < b.place; });
-    for(std::size_t i = 0; i < ends.size(); ++i)
-    {
-      const End &from = ends[i], &to = ends[(i + 1) % ends.size()];
-      const double last = i + 1 < ends.size() ? to.place : to.place + 3;
-      Side& side = m_sides[from.side];
-      const Corner start = {null_index, boundary_position(f, from.place)};
-      Corner previous = {null_index, boundary_position(f, to.place)};
-      for(int corner = static_cast<int>(std::ceil(last)) - 1; corner > from.place; --corner)
-      {
-        const Index v = m_pm.source(3 * f + static_cast<Index>(corner % 3));
-        double distance = (std::numeric_limits<double>::max)();
-        for(const Strand* s : {from.strand, to.strand})
-          distance = (std::min)(distance, distance_to_segment(point(v), boundary_position(f, s->entry),
-                                                              boundary_position(f, s->exit)));
-        m_front.offer(v, distance, from.side);
-        side.beside_start.push_back(v);
-        side.cut.push_back({{start, Corner{v, point(v)}, previous}});
-        previous = {v, point(v)};
-      }
-    }
-  }
-
-  Vector3 boundary_position(Index f, double place) const
-  {
-    const double corner = std::floor(place);
-    return position(m_pm, Trace_point{null_index, 3 * f + static_cast<Index>(corner) % 3, place - corner});
-  }
-
-  // Settles the pivots of the start, and lets the front into the faces around them that the start does not cut.
-  void start_from_pivots(const std::vector<Trace_point>& trace)
-  {
-    for(const Trace_point& p : trace)
-      if(p.is_pivot())
-      {
-        m_front.settle_source(p.pivot);
-        settled(p.pivot, Distance_front::both_sides);
-      }
-    for(std::size_t i = 0; i < trace.size(); ++i)
-    {
-      if(!trace[i].is_pivot())
-        continue;
-      const Pivot_fan fan = pivot_fan(m_pm, trace, i);
-      std::size_t side = 0;
-      Index h = fan.out;
-      do {
-        if(h == fan.in)
-          side = 1;
-        const Index f = m_pm.face(h);
-        if(!m_front.is_barred(f))
-        {
-          m_sides[side].touched.emplace_back(f, 0.);
-          m_front.pass_through(f, side);
-        }
-        h = m_pm.ccw(h);
-      } while(h != fan.out);
-    }
+    std::sort(on_both.begin(), on_both.end());
+    for(std::size_t i = 1; i < on_both.size(); ++i)
+      if(on_both[i] == on_both[i - 1] && m_other[on_both[i]].is_consistent)
+        m_crossed.push_back(on_both[i]);
   }
 
   // The pieces of the faces that the start cuts, once their corners are settled.
   void add_cut_faces(std::size_t s)
   {
     Side& side = m_sides[s];
-    for(const std::array<Corner, 3>& piece : side.cut)
+    for(const Front_start::Piece& piece : side.start.pieces)
     {
       Level_lengths::Triangle t;
       Index c = 0;
@@ -338,8 +296,6 @@ private:
     for(Index a : m_crossings.curves_at_vertex(v))
     {
       Other& other = m_other[a];
-      if(a >= m_classes.end())
-        break;
       for(std::size_t side = 0; side < 2; ++side)
         if(s == side || s == Distance_front::both_sides)
           other.furthest[side] = (std::max)(other.furthest[side], m_front.distance(v));
@@ -404,11 +360,11 @@ private:
     for(Index i = 0; i < 3; ++i)
     {
       const Index h = 3 * f + i, v = m_pm.source(h), w = m_pm.target(h);
-      t[i] = {point(v), m_front.distance(v)};
+      t[i] = {position(m_pm, v), m_front.distance(v)};
       if(!has_class(v))
         continue;
       c = m_class[v];
-      const Curve_crossings::Range curves = m_crossings.curves_at_edge(h);
+      const std::vector<Index>& curves = m_crossings.curves_at_edge(h);
       if(has_class(w) && (m_class[w] != c || !curves.empty()))
         check_classes(m_class[w], m_classes.across(c, curves));
     }
@@ -416,7 +372,6 @@ private:
   }
 
   const Progressive_mesh& m_pm;
-  const std::vector<std::vector<Trace_point> >& m_traces;
   Curve_crossings m_crossings;
   Distance_front m_front;
   Side_classes m_classes;
@@ -424,6 +379,8 @@ private:
   std::vector<Index> m_class_sweep; // the sweep that this was in
   std::vector<Other> m_other;
   std::vector<Index> m_covered; // in ascending order
+  std::vector<Index> m_crossed;
+  std::vector<Index> m_vertices; // that are settled
   std::vector<Index> m_stack;
   std::array<Side, 2> m_sides;
   Level_scale m_scale{1};

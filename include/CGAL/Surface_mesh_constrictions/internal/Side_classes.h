@@ -2,9 +2,10 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIDE_CLASSES_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIDE_CLASSES_H
 
-#include <CGAL/Surface_mesh_constrictions/internal/Curve_crossings.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -19,18 +20,14 @@ namespace internal {
 class Side_classes
 {
 public:
-  Side_classes() { restart(0); }
+  Side_classes() { restart(); }
 
-  // Only curves with numbers below `end` count.
-  void restart(Index end)
+  void restart()
   {
-    m_end = end;
     m_numbers.clear();
     m_sets.assign(1, {});
     m_numbers.emplace(m_sets[0], 0);
   }
-
-  Index end() const { return m_end; }
 
   std::size_t size() const { return m_sets.size(); }
 
@@ -41,14 +38,30 @@ public:
     return std::binary_search(m_sets[c].begin(), m_sets[c].end(), curve);
   }
 
-  // The class on the other side of these curves. Constant if none of them counts.
-  Index across(Index c, const Curve_crossings::Range& curves)
+  // The curves that lie between some of these classes.
+  std::vector<Index> curves_between(const std::vector<Index>& classes) const
   {
-    if(curves.empty() || *curves.begin() >= m_end)
+    std::vector<Index> any, all, result;
+    for(Index c : classes)
+    {
+      std::vector<Index> u, i;
+      std::set_union(any.begin(), any.end(), m_sets[c].begin(), m_sets[c].end(), std::back_inserter(u));
+      std::set_intersection(all.begin(), all.end(), m_sets[c].begin(), m_sets[c].end(), std::back_inserter(i));
+      any.swap(u);
+      all = c == classes.front() ? m_sets[c] : i;
+    }
+    std::set_difference(any.begin(), any.end(), all.begin(), all.end(), std::back_inserter(result));
+    return result;
+  }
+
+  // The class on the other side of these curves, in ascending order. Constant if there are none.
+  Index across(Index c, const std::vector<Index>& curves)
+  {
+    if(curves.empty())
       return c;
     std::vector<Index> set;
-    const Index* const last = std::lower_bound(curves.begin(), curves.end(), m_end);
-    std::set_symmetric_difference(m_sets[c].begin(), m_sets[c].end(), curves.begin(), last, std::back_inserter(set));
+    std::set_symmetric_difference(m_sets[c].begin(), m_sets[c].end(), curves.begin(), curves.end(),
+                                  std::back_inserter(set));
     const auto inserted = m_numbers.emplace(std::move(set), static_cast<Index>(m_sets.size()));
     if(inserted.second)
       m_sets.push_back(inserted.first->first);
@@ -56,7 +69,6 @@ public:
   }
 
 private:
-  Index m_end = 0;
   std::map<std::vector<Index>, Index> m_numbers;
   std::vector<std::vector<Index> > m_sets;
 };
