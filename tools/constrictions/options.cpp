@@ -70,13 +70,13 @@ void add_selection_options(CLI::App& command, Selection& selection)
   command.add_option("--max", selection.maximum_number, "report the N most prominent at most")->type_name("N");
   command
       .add_option("--min-prominence", selection.minimum_prominence,
-                  "leave out curves that slide to a shorter one, or off, when they are made longer by this share or "
-                  "less")
+                  "leave out curves that slide to a shorter one, or off, when they are made longer by less than this "
+                  "share of their length")
       ->type_name("P")
       ->check(not_negative);
   command
       .add_option("--max-ratio", selection.maximum_ratio,
-                  "leave out curves that cut off less area than so: length^2 / (4 pi area) is greater than this; 0.5 is "
+                  "leave out curves that cut off too little: length^2 / (4 pi area) is greater than this; it is 0.5 for "
                   "the equator of a sphere")
       ->type_name("R")
       ->check(not_negative);

@@ -34,14 +34,14 @@ std::string report_as_table(const Report& report)
 
   std::ostringstream out;
   if(!report.constrictions.empty())
-    out << setw(5) << "id" << setw(14) << "length" << setw(12) << "prominence" << setw(8) << "points" << setw(8) << "pivots" << setw(12)
-        << "separating" << setw(12) << "side" << setw(12) << "seed level" << '\n';
+    out << setw(5) << "id" << setw(14) << "length" << setw(12) << "prominence" << setw(8) << "points" << setw(8)
+        << "pivots" << setw(12) << "separating" << setw(12) << "side" << setw(12) << "seed level" << '\n';
   for(std::size_t id = 0; id < report.constrictions.size(); ++id)
   {
     const Constriction& c = report.constrictions[id];
     out << setw(5) << id << setw(14) << c.length() << setw(12) << prominence(c) << setw(8) << c.locations().size()
-        << setw(8) << c.pivots().size() << setw(12) << (c.is_separating() ? "yes" : "no") << setw(12) << name(c.side()) << setw(12)
-        << c.seeds().front().level << '\n';
+        << setw(8) << c.pivots().size() << setw(12) << (c.is_separating() ? "yes" : "no") << setw(12)
+        << name(c.side()) << setw(12) << c.seeds().front().level << '\n';
   }
   for(const std::string& remark : report.remarks)
     out << remark << '\n';

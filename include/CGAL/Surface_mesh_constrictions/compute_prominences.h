@@ -73,20 +73,25 @@ std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<
 ///
 /// As for mountain passes, the prominence of a closed geodesic says how much longer it must become before it can slide
 /// to where it is shorter: to a shorter constriction of the set, to one that is not in the set, or off over a point. It
-/// is \f$b/L - 1\f$, where *L* is the length of the curve and *b* its lowest *barrier*.
+/// is \f$b/L - 1\f$, where *L* is the length of the curve and *b* its lowest *barrier*: the greatest length on the way.
 ///
-/// From the curve both sides are swept by the level sets of the distance to it, each a set of closed curves. The barrier
-/// of a side is the greatest length of its level sets until they are shorter than the curve; or until another, shorter,
-/// constriction has been swept over and the sweep, had it stopped there, would have left no more than *L* in total. The
-/// side whose barrier is lower so far is swept on, and nothing is swept that is higher than the lowest barrier. From a
-/// curve that does not separate the sweep goes on until its sides meet.
+/// From the curve both sides are swept by the level sets of the distance to it, each a set of closed curves. The
+/// barrier of a side is the greatest length of its level sets until they are shorter than *L*; or until a shorter
+/// constriction has been swept over at which the sweep, if it stops there, leaves no more than *L* in total. The side
+/// whose barrier is lower so far is swept on, and nothing is swept that is higher than the lowest barrier. From a
+/// curve that does not separate the sweep goes on until its sides meet. Where the curve slides to another
+/// constriction of the set, the way through the curves at which the distances to the two are in a fixed proportion is
+/// measured, too, and the lower barrier counts: around a bend of a tube these curves turn with the tube.
 ///
-/// This is an upper bound of the least barrier, as level sets of the distance need not be the best way. It is one
-/// whatever the error of the distances, which fast marching approximates to first order in the size of the faces: the
-/// sets that are measured are closed polygons on the mesh, of its own linear interpolation.
+/// This is an upper bound of the least barrier over all ways on which the curve may split into several. Both kinds of
+/// curves are zero sets of functions that are linear in each face, so they are closed polygons on the mesh, whose
+/// lengths are measured exactly but for rounding: the bound holds whatever the error of the distances, which come
+/// from fast marching and are right to first order in the size of the faces. The lengths are sampled, at 256 level
+/// sets on the first stretch of length *L*, and at 31 curves between two constrictions.
 ///
-/// The constrictions and the barriers between them are a hierarchy: from one to the one that it slides to lengths get
-/// smaller, so that following `Constriction::dominated_by()` ends.
+/// The constrictions and the barriers between them are a hierarchy: from one to the one that it slides to lengths do
+/// not grow, so that following `Constriction::dominated_by()` ends. Constrictions of a prominence below 0.01 dominate
+/// none.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam ConstrictionRange a range of `Constriction<TriangleMesh>`

@@ -115,9 +115,9 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 /// The mesh is copied and the copy simplified by edge collapses; seed curves are noticed on the way; the collapses are
 /// undone one by one and the curves carried along; on the input mesh they are tightened until they are closed
 /// geodesics. Degenerate curves are dropped and equal ones merged. Of the closed geodesics that are left those are
-/// selected that a person would call necks, each once: see `select_constrictions()`. This is the method of Hetroy and Attali, *Detection
-/// of constrictions on closed polyhedral surfaces* (2003). The function is the composition of the package's stages;
-/// see the user manual.
+/// selected that a person would call necks, each once: see `select_constrictions()`. This is the method of Hetroy and
+/// Attali, *Detection of constrictions on closed polyhedral surfaces* (2003). The function is the composition of the
+/// package's stages; see the user manual.
 ///
 /// The same input gives the same output. `tm` is not changed.
 ///
@@ -171,7 +171,7 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///   \cgalParamNBegin{minimum_prominence}
 ///     \cgalParamDescription{the prominence that a selected constriction has at least}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{0.1}
+///     \cgalParamDefault{0.05}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_isoperimetric_ratio}
 ///     \cgalParamDescription{the ratio \f$L^2/(4 \pi A)\f$ that a selected constriction has at most, if it separates}
@@ -182,6 +182,11 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///     \cgalParamDescription{how many constrictions are selected at most}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no limit}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{crossing_constrictions}
+///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{all_constrictions}
 ///     \cgalParamDescription{whether to select every distinct closed geodesic that was found. A user who keeps them all
@@ -196,9 +201,10 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Those from `seed_detection` to `all_constrictions` are functions of `CGAL::Surface_mesh_constrictions::parameters`. CGAL's list of names
-/// that can be chained is closed, so they start a chain, `tightening_schedule(t).visitor(v)`, or take one as their second
-/// argument, `tightening_schedule(t, CGAL::parameters::visitor(v))`.
+/// Those from `seed_detection` to `all_constrictions` are functions of
+/// `CGAL::Surface_mesh_constrictions::parameters`. CGAL's list of names that can be chained is closed, so they start
+/// a chain, `tightening_schedule(t).visitor(v)`, or take one as their second argument, `tightening_schedule(t,
+/// CGAL::parameters::visitor(v))`.
 ///
 /// \throws Invalid_input for a mesh that cannot be used; it says what is wrong and where
 /// \cost that of the simplification, O(n log n) for n faces, plus O(n), plus for each curve and each vertex split whose

@@ -23,7 +23,7 @@ namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The prominence that a constriction has at least, to be selected by default.
-constexpr double default_minimum_prominence = 0.1;
+constexpr double default_minimum_prominence = 0.05;
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The isoperimetric ratio that a separating constriction has at most, to be selected by default.
@@ -51,12 +51,12 @@ constexpr double default_maximum_isoperimetric_ratio = 0.25;
 ///   \cgalParamNBegin{minimum_prominence}
 ///     \cgalParamDescription{the prominence that a selected constriction has at least}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{0.1}
+///     \cgalParamDefault{0.05}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_isoperimetric_ratio}
-///     \cgalParamDescription{the ratio \f$L^2/(4 \pi A)\f$ of squared length and smaller area that a selected constriction
-///                           has at most, if it separates. It is 1/2 for the equator of a sphere, and 1/4 for the rim of a
-///                           cylinder with a half sphere at its end that sticks out as far as it is wide.}
+///     \cgalParamDescription{the ratio \f$L^2/(4 \pi A)\f$ of length and smaller area that a selected constriction
+///                           has at most, if it separates. It is 1/2 for the equator of a sphere, and 1/4 for the rim
+///                           of a cylinder with a half sphere at its end that sticks out as far as it is wide.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.25}
 ///   \cgalParamNEnd
@@ -66,8 +66,8 @@ constexpr double default_maximum_isoperimetric_ratio = 0.25;
 ///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{crossing_constrictions}
-///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected, there
-///                           and back: see `Constriction::crosses()`}
+///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected,
+///                           there and back: see `Constriction::crosses()`}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

@@ -67,7 +67,8 @@ inline Vector3 position(const Progressive_mesh& pm, const Trace_point& p)
 {
   if(p.is_pivot())
     return position(pm, p.pivot);
-  return position(pm, pm.source(p.halfedge)) + p.parameter * vector(pm.point(pm.source(p.halfedge)), pm.point(pm.target(p.halfedge)));
+  const Index u = pm.source(p.halfedge), v = pm.target(p.halfedge);
+  return position(pm, u) + p.parameter * vector(pm.point(u), pm.point(v));
 }
 
 // A straight piece of a curve inside a face. `entry` and `exit` are places on the face's boundary, counted
