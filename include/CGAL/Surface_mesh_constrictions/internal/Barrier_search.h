@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_slide.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distance_sweep.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 
 #include <algorithm>
@@ -35,7 +36,9 @@ class Barrier_search
 {
 public:
   // Linear in the size of the mesh.
-  explicit Barrier_search(const Progressive_mesh& pm) : m_sweep(pm), m_slide(pm) {}
+  explicit Barrier_search(const Progressive_mesh& pm)
+    : m_lengths_of_edges(pm), m_sweep(pm, m_lengths_of_edges), m_slide(pm, m_lengths_of_edges)
+  {}
 
   // Makes a curve known to later searches. Curves are numbered in this order.
   void add_curve(const std::vector<Trace_point>& trace, double length)
@@ -146,6 +149,7 @@ private:
     m_lowest.length = (std::min)(m_lowest.length, (std::max)(m_length, direct));
   }
 
+  Edge_lengths m_lengths_of_edges;
   Distance_sweep m_sweep;
   Curve_slide m_slide;
   std::vector<std::vector<Trace_point> > m_traces;

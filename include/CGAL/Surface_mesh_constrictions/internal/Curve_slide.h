@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distance_front.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distance_sweep.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Front_start.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 
@@ -26,7 +27,9 @@ class Curve_slide
 {
 public:
   // Linear.
-  explicit Curve_slide(const Progressive_mesh& pm) : m_pm(pm), m_front(pm), m_seen(pm.number_of_face_ids(), 0) {}
+  Curve_slide(const Progressive_mesh& pm, const Edge_lengths& lengths)
+    : m_pm(pm), m_front(pm, lengths), m_seen(pm.number_of_face_ids(), 0)
+  {}
 
   // The greatest length on the way from where a sweep started to curve a, of which this is the trace, on side s.
   // Infinite if the sweep has not reached all that is between them. O(m log m) for m faces swept.

@@ -3,6 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_DISTANCE_FRONT_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
 #include <algorithm>
@@ -27,8 +28,8 @@ class Distance_front
 {
 public:
   // Linear.
-  explicit Distance_front(const Progressive_mesh& pm)
-    : m_pm(pm), m_vertices(pm.number_of_vertex_ids()), m_barred(pm.number_of_face_ids(), 0)
+  Distance_front(const Progressive_mesh& pm, const Edge_lengths& lengths)
+    : m_pm(pm), m_lengths(lengths), m_vertices(pm.number_of_vertex_ids()), m_barred(pm.number_of_face_ids(), 0)
   {}
 
   static constexpr unsigned char both_sides = 2;
@@ -137,8 +138,6 @@ private:
 
   typedef std::priority_queue<Entry> Queue;
 
-  double edge_length(Index h) const { return norm(vector(m_pm.point(m_pm.source(h)), m_pm.point(m_pm.target(h)))); }
-
   // Offers distances into the face of a halfedge whose source is settled.
   void pass_from_source(Index h, std::size_t side)
   {
@@ -147,11 +146,11 @@ private:
     const double distance = m_vertices[m_pm.source(h)].distance;
     const Index last = m_pm.prev(h), u = m_pm.target(h), w = m_pm.source(last);
     if(!is_settled(u))
-      offer(u, distance + edge_length(h), side);
+      offer(u, distance + m_lengths[h], side);
     else if(is_settled(u, side))
       pass_edge(h, side);
     if(!is_settled(w))
-      offer(w, distance + edge_length(last), side);
+      offer(w, distance + m_lengths[last], side);
     else if(is_settled(w, side))
       pass_edge(last, side);
   }
@@ -160,18 +159,21 @@ private:
   // the first corner that one of them hits.
   void pass_edge(Index h, std::size_t side)
   {
-    if(is_settled(m_pm.source(m_pm.prev(h))))
+    if(is_barred(m_pm.face(h)) || is_settled(m_pm.source(m_pm.prev(h))))
       return;
     const Index p = m_pm.source(h), q = m_pm.target(h);
-    const double length = edge_length(h), s = (m_vertices[q].distance - m_vertices[p].distance) / length;
+    const double length = m_lengths[h], s = (m_vertices[q].distance - m_vertices[p].distance) / length;
     if(!(std::abs(s) < 1))
       return;
     const Vector2 direction = {s, std::sqrt(1 - s * s)}; // of the rays; the edge runs along the x axis
 
+    const double to_q = m_lengths[Progressive_mesh::next(h)], to_p = m_lengths[Progressive_mesh::prev(h)];
     Portal portal = {{0, 0}, {length, 0}}; // the source and the target of h
-    for(int i = 0; i < 8 && !is_barred(m_pm.face(h)); ++i)
+    Vector2 apex;
+    apex.x = (length * length + to_p * to_p - to_q * to_q) / (2 * length);
+    apex.y = std::sqrt((std::max)(to_p * to_p - apex.x * apex.x, 0.));
+    for(int i = 0;; ++i)
     {
-      const Vector2 apex = unfold_apex(m_pm, m_pm.opposite(h), portal);
       const double foot = apex.x - apex.y * direction.x / direction.y;
       if(foot >= 0 && foot <= length)
       {
@@ -185,10 +187,14 @@ private:
         return;
       (foot < 0 ? portal.left : portal.right) = apex;
       h = m_pm.opposite(foot < 0 ? m_pm.next(h) : m_pm.prev(h));
+      if(i == 8 || is_barred(m_pm.face(h)))
+        return;
+      apex = unfold_apex(m_pm, m_pm.opposite(h), portal);
     }
   }
 
   const Progressive_mesh& m_pm;
+  const Edge_lengths& m_lengths;
   std::vector<Vertex> m_vertices;
   std::vector<Index> m_barred; // the last sweep that a face was barred in
   std::array<Queue, 2> m_queue;

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_crossings.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distance_front.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Front_start.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Side_classes.h>
@@ -34,8 +35,8 @@ class Distance_sweep
 {
 public:
   // Linear in the size of the mesh.
-  explicit Distance_sweep(const Progressive_mesh& pm)
-    : m_pm(pm), m_crossings(pm), m_front(pm), m_class(pm.number_of_vertex_ids()),
+  Distance_sweep(const Progressive_mesh& pm, const Edge_lengths& lengths)
+    : m_pm(pm), m_crossings(pm), m_front(pm, lengths), m_class(pm.number_of_vertex_ids()),
       m_class_sweep(pm.number_of_vertex_ids(), 0)
   {}
 
@@ -49,6 +50,7 @@ public:
     m_scale = Level_scale(length);
     m_front.restart();
     m_classes.restart();
+    m_without_class = 0;
     m_covered.clear();
     m_crossed.clear();
     m_vertices.clear();
@@ -322,34 +324,48 @@ private:
     } while(h != begin);
   }
 
-  // Classifies a vertex after a settled neighbour, and then those settled neighbours that had none.
+  // Classifies a vertex that has just been settled after a settled neighbour, and then those settled neighbours that
+  // had none when they were.
   void classify(Index v, std::size_t s)
   {
-    m_stack.assign(1, v);
-    while(!m_stack.empty())
+    if(!has_class(v) && !classify_after_neighbour(v, s))
     {
-      const Index u = m_stack.back();
+      ++m_without_class;
+      return;
+    }
+    m_stack.assign(1, v);
+    while(m_without_class > 0 && !m_stack.empty())
+    {
+      const Index begin = m_pm.outgoing(m_stack.back());
       m_stack.pop_back();
-      const Index begin = m_pm.outgoing(u);
       Index h = begin;
-      for(bool more = !has_class(u); more;)
-      {
-        const Index w = m_pm.target(h);
-        if(has_class(w) && m_front.is_settled(w, s))
-          set_class(u, m_classes.across(m_class[w], m_crossings.curves_at_edge(h)));
-        h = m_pm.ccw(h);
-        more = !has_class(u) && h != begin;
-      }
-      if(!has_class(u))
-        continue;
-      h = begin;
       do {
         const Index w = m_pm.target(h);
-        if(!has_class(w) && m_front.is_settled(w, s))
+        if(!has_class(w) && m_front.is_settled(w, s) && classify_after_neighbour(w, s))
+        {
           m_stack.push_back(w);
+          --m_without_class;
+        }
         h = m_pm.ccw(h);
       } while(h != begin);
     }
+  }
+
+  // False if no neighbour is settled and has a class.
+  bool classify_after_neighbour(Index v, std::size_t s)
+  {
+    const Index begin = m_pm.outgoing(v);
+    Index h = begin;
+    do {
+      const Index w = m_pm.target(h);
+      if(has_class(w) && m_front.is_settled(w, s))
+      {
+        set_class(v, m_classes.across(m_class[w], m_crossings.curves_at_edge(h)));
+        return true;
+      }
+      h = m_pm.ccw(h);
+    } while(h != begin);
+    return false;
   }
 
   // Adds a face whose corners are settled.
@@ -382,6 +398,7 @@ private:
   std::vector<Index> m_crossed;
   std::vector<Index> m_vertices; // that are settled
   std::vector<Index> m_stack;
+  std::size_t m_without_class = 0; // settled vertices without a settled neighbour when they were, and still
   std::array<Side, 2> m_sides;
   Level_scale m_scale{1};
   Index m_sweep = 0;

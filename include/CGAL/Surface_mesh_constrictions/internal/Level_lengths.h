@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The levels of a distance at which level sets are measured: `per_unit` of them on every stretch of the unit, and as
-// many on every doubling and more beyond it, so that their number stays small however far a sweep goes.
+// The levels of a distance at which level sets are measured: `per_unit` of them on the first stretch of one unit, and as
+// many on each further factor of e, so that their number stays small however far a sweep goes.
 class Level_scale
 {
 public:
@@ -25,7 +25,7 @@ public:
   double level(std::size_t k) const
   {
     const double t = static_cast<double>(k) / per_unit;
-    return m_unit * (t <= 1 ? t : std::exp(t - 1));
+    return t <= 1 ? m_unit * t : m_unit * std::exp(t - 1);
   }
 
   // the first level above a distance
