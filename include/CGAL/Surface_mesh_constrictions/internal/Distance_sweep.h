@@ -8,8 +8,8 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Front_start.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_lengths.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Side_classes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Vertex_classes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
 #include <algorithm>
@@ -17,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
-#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -36,8 +35,7 @@ class Distance_sweep
 public:
   // Linear in the size of the mesh.
   Distance_sweep(const Progressive_mesh& pm, const Edge_lengths& lengths)
-    : m_pm(pm), m_crossings(pm), m_front(pm, lengths), m_class(pm.number_of_vertex_ids()),
-      m_class_sweep(pm.number_of_vertex_ids(), 0)
+    : m_pm(pm), m_crossings(pm), m_front(pm, lengths), m_class(pm.number_of_vertex_ids())
   {}
 
   // Adds a curve, given by its trace, to those that later sweeps look for.
@@ -46,17 +44,16 @@ public:
   // Starts at a curve.
   void start(const std::vector<Trace_point>& trace, double length)
   {
-    ++m_sweep;
     m_scale = Level_scale(length);
     m_front.restart();
-    m_classes.restart();
+    m_class.restart();
     m_without_class = 0;
     m_covered.clear();
     m_crossed.clear();
     m_vertices.clear();
     m_other.clear();
     for(Index a = 0; a < m_crossings.number_of_curves(); ++a)
-      m_other.push_back({m_crossings.number_of_vertices(a), {{0, 0}}, true, false});
+      m_other.push_back({m_crossings.number_of_vertices(a), {{0, 0}}, false});
     for(Side& s : m_sides)
       s = Side();
     classify_beside(crossings_beside_pivots(m_pm, trace));
@@ -98,7 +95,7 @@ public:
       const double length = side.lengths.length(c, side.level);
       side.length += length;
       if(length > 0)
-        for(Index a : m_classes.curves(c))
+        for(Index a : m_class.classes().curves(c))
           side.length_beyond[a] += length;
     }
     return side.length;
@@ -116,7 +113,7 @@ public:
   {
     for(Index c : m_covered)
     {
-      bool is_behind = m_other[c].is_consistent;
+      bool is_behind = m_class.is_consistent(c);
       for(std::size_t s = 0; is_behind && s < 2; ++s)
         is_behind = m_other[c].furthest[s] <= m_scale.level(m_sides[s].level);
       if(is_behind)
@@ -149,7 +146,7 @@ public:
   // The vertices that have been reached, in no order.
   const std::vector<Index>& vertices() const { return m_vertices; }
 
-  bool has_reached(Index v) const { return m_front.is_settled(v) && has_class(v); }
+  bool has_reached(Index v) const { return m_front.is_settled(v) && m_class.has(v); }
 
   // of a vertex that has been reached: positive on side s
   double signed_distance(Index v, std::size_t s) const
@@ -158,7 +155,7 @@ public:
   }
 
   // Whether a vertex that has been reached lies on the other side of a curve than where the sweep began.
-  bool is_beyond(Index v, Index curve) const { return m_classes.is_beyond(m_class[v], curve); }
+  bool is_beyond(Index v, Index curve) const { return m_class.classes().is_beyond(m_class[v], curve); }
 
   // The halfedges that a curve crosses.
   const std::vector<Index>& crossings(Index curve) const { return m_crossings.crossings(curve); }
@@ -181,7 +178,6 @@ private:
   {
     std::size_t vertices_left;      // vertices beside it that are not settled
     std::array<double, 2> furthest; // of those that are, on each side
-    bool is_consistent;             // whether the classes tell on which side of it a place is
     bool is_beside_start;
   };
 
@@ -215,40 +211,18 @@ private:
     return all;
   }
 
-  bool has_class(Index v) const { return m_class_sweep[v] == m_sweep; }
-
-  void set_class(Index v, Index c)
-  {
-    if(has_class(v))
-      check_classes(m_class[v], c);
-    m_class[v] = c;
-    m_class_sweep[v] = m_sweep;
-  }
-
-  // Two ways to the same place must end in the same class.
-  void check_classes(Index c, Index d)
-  {
-    if(c == d)
-      return;
-    std::vector<Index> wrong;
-    std::set_symmetric_difference(m_classes.curves(c).begin(), m_classes.curves(c).end(), m_classes.curves(d).begin(),
-                                  m_classes.curves(d).end(), std::back_inserter(wrong));
-    for(Index a : wrong)
-      m_other[a].is_consistent = false;
-  }
-
   // Classifies the vertices on both sides of the start. Class 0 is that of a vertex on its left.
   void classify_beside(const std::vector<Index>& crossings)
   {
-    set_class(m_pm.target(crossings[0]), 0);
+    m_class.set(m_pm.target(crossings[0]), 0);
     for(std::size_t i = 0; i <= crossings.size(); ++i)
     {
       const Index h = crossings[i % crossings.size()];
       const Index u = m_pm.source(h), v = m_pm.target(h);
-      if(has_class(v))
-        set_class(u, m_classes.across(m_class[v], m_crossings.curves_at_edge(h)));
+      if(m_class.has(v))
+        m_class.set_across(u, v, m_crossings.curves_at_edge(h));
       else
-        set_class(v, m_classes.across(m_class[u], m_crossings.curves_at_edge(h)));
+        m_class.set_across(v, u, m_crossings.curves_at_edge(h));
     }
     std::array<std::vector<Index>, 2> classes; // of the vertices on the left and on the right
     for(Index h : crossings)
@@ -261,15 +235,15 @@ private:
     {
       std::sort(c.begin(), c.end());
       c.erase(std::unique(c.begin(), c.end()), c.end());
-      for(Index a : m_classes.curves_between(c))
+      for(Index a : m_class.classes().curves_between(c))
         on_both.push_back(a);
       for(Index k : c)
-        for(Index a : m_classes.curves(k))
+        for(Index a : m_class.classes().curves(k))
           m_other[a].is_beside_start = true;
     }
     std::sort(on_both.begin(), on_both.end());
     for(std::size_t i = 1; i < on_both.size(); ++i)
-      if(on_both[i] == on_both[i - 1] && m_other[on_both[i]].is_consistent)
+      if(on_both[i] == on_both[i - 1] && m_class.is_consistent(on_both[i]))
         m_crossed.push_back(on_both[i]);
   }
 
@@ -328,7 +302,7 @@ private:
   // had none when they were.
   void classify(Index v, std::size_t s)
   {
-    if(!has_class(v) && !classify_after_neighbour(v, s))
+    if(!m_class.has(v) && !classify_after_neighbour(v, s))
     {
       ++m_without_class;
       return;
@@ -341,7 +315,7 @@ private:
       Index h = begin;
       do {
         const Index w = m_pm.target(h);
-        if(!has_class(w) && m_front.is_settled(w, s) && classify_after_neighbour(w, s))
+        if(!m_class.has(w) && m_front.is_settled(w, s) && classify_after_neighbour(w, s))
         {
           m_stack.push_back(w);
           --m_without_class;
@@ -358,9 +332,9 @@ private:
     Index h = begin;
     do {
       const Index w = m_pm.target(h);
-      if(has_class(w) && m_front.is_settled(w, s))
+      if(m_class.has(w) && m_front.is_settled(w, s))
       {
-        set_class(v, m_classes.across(m_class[w], m_crossings.curves_at_edge(h)));
+        m_class.set_across(v, w, m_crossings.curves_at_edge(h));
         return true;
       }
       h = m_pm.ccw(h);
@@ -377,12 +351,11 @@ private:
     {
       const Index h = 3 * f + i, v = m_pm.source(h), w = m_pm.target(h);
       t[i] = {position(m_pm, v), m_front.distance(v)};
-      if(!has_class(v))
+      if(!m_class.has(v))
         continue;
       c = m_class[v];
-      const std::vector<Index>& curves = m_crossings.curves_at_edge(h);
-      if(has_class(w) && (m_class[w] != c || !curves.empty()))
-        check_classes(m_class[w], m_classes.across(c, curves));
+      if(m_class.has(w))
+        m_class.check_across(w, v, m_crossings.curves_at_edge(h));
     }
     m_sides[s].lengths.add(m_scale, t, c);
   }
@@ -390,9 +363,7 @@ private:
   const Progressive_mesh& m_pm;
   Curve_crossings m_crossings;
   Distance_front m_front;
-  Side_classes m_classes;
-  std::vector<Index> m_class;       // of a vertex
-  std::vector<Index> m_class_sweep; // the sweep that this was in
+  Vertex_classes m_class; // of a vertex
   std::vector<Other> m_other;
   std::vector<Index> m_covered; // in ascending order
   std::vector<Index> m_crossed;
@@ -401,7 +372,6 @@ private:
   std::size_t m_without_class = 0; // settled vertices without a settled neighbour when they were, and still
   std::array<Side, 2> m_sides;
   Level_scale m_scale{1};
-  Index m_sweep = 0;
 };
 
 } // namespace internal
