@@ -18,11 +18,13 @@
 #include <CGAL/Surface_mesh_constrictions/Shortest_path_verification.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/verify_with_shortest_paths.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "computations.h"
+#include "selection_parameters.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
@@ -11,17 +12,18 @@
 
 namespace constrictions {
 
-std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, bool certifies, Stage_monitor& monitor)
+std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Selection& selection, bool certifies,
+                                                  Stage_monitor& monitor)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
   namespace SMS = CGAL::Surface_mesh_simplification;
 
   std::vector<Constriction> result;
+  const auto policies = CGAL::parameters::get_cost(SMS::Edge_length_cost<SMC::Simplification_mesh>())
+                            .get_placement(SMS::Midpoint_placement<SMC::Simplification_mesh>())
+                            .visitor(Monitoring_visitor(monitor));
   SMC::detect_constrictions(mesh, std::back_inserter(result),
-                            SMC::parameters::certify(certifies)
-                                .get_cost(SMS::Edge_length_cost<SMC::Simplification_mesh>())
-                                .get_placement(SMS::Midpoint_placement<SMC::Simplification_mesh>())
-                                .visitor(Monitoring_visitor(monitor)));
+                            SMC::parameters::certify(certifies, with_selection(selection, policies)));
   return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "computations.h"
+#include "selection_parameters.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
@@ -8,13 +9,14 @@
 
 namespace constrictions {
 
-std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, bool certifies, Stage_monitor& monitor)
+std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection, bool certifies,
+                                                       Stage_monitor& monitor)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
 
   std::vector<Constriction> result;
-  SMC::detect_constrictions(mesh, std::back_inserter(result),
-                            SMC::parameters::certify(certifies).visitor(Monitoring_visitor(monitor)));
+  const auto selected = with_selection(selection, CGAL::parameters::visitor(Monitoring_visitor(monitor)));
+  SMC::detect_constrictions(mesh, std::back_inserter(result), SMC::parameters::certify(certifies, selected));
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -150,9 +152,10 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///
 /// The mesh is copied and the copy simplified by edge collapses; seed curves are noticed on the way; the collapses are
 /// undone one by one and the curves carried along; on the input mesh they are tightened until they are closed
-/// geodesics. Degenerate curves are dropped and equal ones merged. This is the method of Hetroy and Attali, *Detection
-/// of constrictions on closed polyhedral surfaces* (2003). The function is the composition of the package's stages;
-/// see the user manual.
+/// geodesics. Degenerate curves are dropped and equal ones merged. Of the closed geodesics that are left those are
+/// selected that a person would call necks, each once: see `select_constrictions()`. This is the method of Hetroy and
+/// Attali, *Detection of constrictions on closed polyhedral surfaces* (2003). The function is the composition of the
+/// package's stages; see the user manual.
 ///
 /// The same input gives the same output. `tm` is not changed.
 ///
@@ -162,7 +165,7 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///
 /// \param tm a closed triangle mesh, any genus, any number of connected components. Faces of area zero and isolated
 ///        vertices are allowed, edges of length zero are not.
-/// \param out the constrictions, shortest first
+/// \param out the selected constrictions, the most prominent first
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -209,6 +212,32 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_prominence}
+///     \cgalParamDescription{the prominence that a selected constriction has at least}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0.05}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_isoperimetric_ratio}
+///     \cgalParamDescription{the ratio \f$L^2/(4 \pi A)\f$ that a selected constriction has at most, if it separates}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0.25}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_constrictions}
+///     \cgalParamDescription{how many constrictions are selected at most}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{no limit}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{crossing_constrictions}
+///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{all_constrictions}
+///     \cgalParamDescription{whether to select every distinct closed geodesic that was found. A user who keeps them all
+///                           can select again at no cost: see `select_by_prominence()`.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{notified of the progress and of what became of the seeds}
 ///     \cgalParamType{a class like `Detection_visitor_base`; it is copied}
@@ -216,15 +245,18 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// The last four before `visitor` are functions of `CGAL::Surface_mesh_constrictions::parameters`. CGAL's list of names
-/// that can be chained is closed, so they start a chain, `tightening_schedule(t).visitor(v)`, or take one as their second
-/// argument, `tightening_schedule(t, CGAL::parameters::visitor(v))`.
+/// Those from `seed_detection` to `all_constrictions` are functions of
+/// `CGAL::Surface_mesh_constrictions::parameters`. CGAL's list of names that can be chained is closed, so they start
+/// a chain, `tightening_schedule(t).visitor(v)`, or take one as their second argument, `tightening_schedule(t,
+/// CGAL::parameters::visitor(v))`.
 ///
 /// \throws Invalid_input for a mesh that cannot be used; it says what is wrong and where
 /// \cost that of the simplification, O(n log n) for n faces, plus O(n), plus for each curve and each vertex split whose
-///       star it passes through, linear in the lengths of the strips between the nearest pivots
+///       star it passes through, linear in the lengths of the strips between the nearest pivots, plus that of
+///       `compute_prominences()`
 ///
 /// \sa `tighten_closed_curve()`
+/// \sa `select_constrictions()`
 template <class TriangleMesh, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
@@ -301,7 +333,8 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   internal::merge_coinciding(network, found);
 
   internal::Constriction_maker<TriangleMesh> maker(imported, pm);
-  std::vector<Constriction<TriangleMesh> > constrictions;
+  std::vector<Constriction<TriangleMesh> > constrictions, selected;
+  std::vector<std::vector<internal::Trace_point> > traces;
   for(const internal::Found_curve& f : found)
   {
     std::vector<Seed_curve> its_seeds;
@@ -310,11 +343,18 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
         its_seeds.push_back(seeds[s]);
     statistics.merged += its_seeds.size() - 1;
     constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width, f.certificate));
+    traces.push_back(internal::trace(pm, internal::arcs_of_curve(network, f.curve)));
   }
   visitor.on_stage_end(Detection_stage::CERTIFICATION);
 
+  visitor.on_stage_begin(Detection_stage::SELECTION, constrictions.size());
+  internal::set_prominences(pm, traces, constrictions);
+  select_by_prominence(constrictions, std::back_inserter(selected), np);
+  statistics.not_selected = constrictions.size() - selected.size();
+  visitor.on_stage_end(Detection_stage::SELECTION);
+
   visitor.on_end(statistics);
-  return std::move(constrictions.begin(), constrictions.end(), out);
+  return std::move(selected.begin(), selected.end(), out);
 }
 
 } // namespace Surface_mesh_constrictions

@@ -31,6 +31,11 @@ enum seed_detection_t { seed_detection };
 enum tightening_schedule_t { tightening_schedule };
 enum first_constriction_only_t { first_constriction_only };
 enum certify_t { certify };
+enum minimum_prominence_t { minimum_prominence };
+enum maximum_isoperimetric_ratio_t { maximum_isoperimetric_ratio };
+enum maximum_number_of_constrictions_t { maximum_number_of_constrictions };
+enum crossing_constrictions_t { crossing_constrictions };
+enum all_constrictions_t { all_constrictions };
 
 } // namespace internal_np
 
@@ -56,6 +61,11 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_detection)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(tightening_schedule)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(first_constriction_only)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certify)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_prominence)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_isoperimetric_ratio)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_constrictions)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(crossing_constrictions)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(all_constrictions)
 
 } // namespace parameters
 } // namespace Surface_mesh_constrictions

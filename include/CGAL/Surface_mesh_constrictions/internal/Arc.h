@@ -56,7 +56,7 @@ inline void measure(const Progressive_mesh& pm, Arc& arc)
     return;
   }
   Portal portal = portal_from_apex(pm, arc.crossings.front());
-  for(std::size_t i = 0;; ++i)
+  for(std::size_t i = 0; i < arc.crossings.size(); ++i)
   {
     const Vector2 apex = unfold_apex(pm, arc.crossings[i], portal);
     if(i + 1 == arc.crossings.size())
