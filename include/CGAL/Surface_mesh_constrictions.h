@@ -15,11 +15,16 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_preserving_placement.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/section_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 
 #endif // CGAL_SURFACE_MESH_CONSTRICTIONS_H
