@@ -100,6 +100,7 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
 
   internal::Curve_network network(pm, false);
   internal::Tightener tightener(network, internal::Length_unit(pm));
+  tightener.fix_level();
   internal::Distinct_curves distinct(network);
   for(std::size_t i = 0; i < paths.size(); ++i)
   {
