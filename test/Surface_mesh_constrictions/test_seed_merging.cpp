@@ -119,7 +119,7 @@ TEST(MergeSeedCurves, OnTheInputOneSeedIsKeptOfThoseThatMeet)
 // Tightening on the way on a fine level hands on every seed too.
 TEST(CarrySeedCurves, HandsOnEverySeedOnceWithAndWithoutTighteningOnTheWay)
 {
-  for(const std::size_t tightening_vertices : {std::size_t(32768), std::size_t(150)})
+  for(const std::size_t tightening_vertices : {std::size_t(16384), std::size_t(150)})
   {
     SMC::Progressive_mesh pm = simplified(test_meshes::dumbbell(0.1, 3, 36, 24));
     const std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, pm.number_of_collapses() - 60);

@@ -29,7 +29,7 @@ struct Carrying_parameters
 {
   std::size_t merging_vertices = 1000;     ///< where seeds are merged and degenerate ones given up
   std::size_t kept_when_merging = 12;      ///< how many seeds are kept of those that become equal there
-  std::size_t tightening_vertices = 32768; ///< where curves are tightened on the way, on meshes more than twice that size
+  std::size_t tightening_vertices = 16384; ///< where curves are tightened on the way, on meshes more than twice that size
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -37,8 +37,8 @@ struct Carrying_parameters
 /// shortening is done on a surface that is close to T^0 or is T^0.
 ///
 /// The seeds are merged on a coarse level, see `merge_seed_curves()`. Those that are kept go on as paths of edges. On
-/// large meshes they are tightened on a finer level, merged again, and go on as straight curves, see
-/// `refine_seed_curves()`: from there to T^0 they move little.
+/// large meshes they are tightened on a finer level, merged again, and kept tight from there to T^0 at every level, see
+/// `refine_seed_curves()`: on levels so fine that loses little, and on T^0 there is little left to be done.
 ///
 /// \param pm the surface; at level 0 afterwards
 /// \param seeds the seeds, on any levels, in any order
@@ -124,6 +124,10 @@ OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   while(pm.level() > 0)
   {
     refinement.split(changed, pivots, [&distinct](Index c) { distinct.remove(c); });
+    for(Index arc : pivots)
+      if(network.node(arc).curve != null_index)
+        tightener.enqueue(arc);
+    tightener.run();
     for(; next != living.end() && merged[*next].curve.level == pm.level(); ++next)
       changed.push_back(network.add_curve(*next, merged[*next].curve.vertices));
     for(Index c : changed)
