@@ -42,6 +42,7 @@ const char* name(SMC::Seed_origin origin)
   {
     case SMC::Seed_origin::NON_FACE_TRIANGLE: return "non_face_triangle";
     case SMC::Seed_origin::CUT_LOCUS: return "cut_locus";
+    case SMC::Seed_origin::SECTION: return "section";
     default: return "user";
   }
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
@@ -16,9 +17,9 @@
 #include <CGAL/Surface_mesh_constrictions/internal/coincidence.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify.h>
-#include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -122,27 +123,47 @@ void certify_found(Curve_network& network, Exact_settler& settler, double unit, 
   found.swap(certified);
 }
 
-// Builds the progressive mesh from a record and finds the seeds that are asked for.
-inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detection detection, bool first_only,
-                                      Progressive_mesh& pm)
+// Builds the progressive mesh from a record and calls the seed source at every level, or as far as the first seed.
+template <class SeedSource>
+std::vector<Seed_curve> replay(const Collapse_record& record, const SeedSource& source, bool first_only,
+                               Progressive_mesh& pm)
 {
+  Seed_level level = {0, record.collapses.size(), null_index, &record.refused_seeds};
+  for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+    level.vertices += pm.is_vertex(v);
   std::vector<Seed_curve> seeds;
-  if(detection == Seed_detection::ON_APPEARANCE)
-    non_face_triangles(pm, std::back_inserter(seeds));
-  else
-    seeds = record.refused_seeds;
+  source(pm, level, std::back_inserter(seeds));
   pm.reserve(record.collapses.size());
   for(const Edge_collapse& c : record.collapses)
   {
-    if(first_only && !seeds.empty() && seeds.front().level == pm.level())
+    if(first_only && !seeds.empty())
       break;
     pm.append_collapse(c);
-    if(detection == Seed_detection::ON_APPEARANCE)
-      non_face_triangles_at_vertex(pm, c.kept, std::back_inserter(seeds));
+    --level.vertices;
+    level.merged = c.kept;
+    source(pm, level, std::back_inserter(seeds));
   }
   if(first_only && seeds.size() > 1)
     seeds.resize(1);
   return seeds;
+}
+
+// The seeds of the source that the named parameters ask for.
+template <class NamedParameters>
+std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedParameters& np, bool first_only,
+                                   Progressive_mesh& pm)
+{
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::seed_sources_t>::value)
+    return replay(record, get_parameter(np, internal_np::seed_sources), first_only, pm);
+  else if constexpr(!is_default_parameter<NamedParameters, internal_np::seed_detection_t>::value)
+    return get_parameter(np, internal_np::seed_detection) == Seed_detection::ON_APPEARANCE
+               ? replay(record, Non_face_triangle_seeds(), first_only, pm)
+               : replay(record, Refused_collapse_seeds(), first_only, pm);
+  else
+    return first_only ? replay(record, Non_face_triangle_seeds(), first_only, pm)
+                      : replay(record, Default_seed_sources(), first_only, pm);
 }
 
 } // namespace internal
@@ -190,15 +211,22 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///     \cgalParamType{a model of `GetPlacement` for edge profiles of `Simplification_mesh`}
 ///     \cgalParamDefault{`GarlandHeckbert_plane_policies`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{seed_sources}
+///     \cgalParamDescription{where the seed curves come from}
+///     \cgalParamType{a seed source, see `Non_face_triangle_seeds`; several are one, `Seed_sources`}
+///     \cgalParamDefault{`Default_seed_sources`; `Non_face_triangle_seeds` if only the first constriction is asked for}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{seed_detection}
-///     \cgalParamDescription{when a non-face triangle is noticed}
+///     \cgalParamDescription{asks for non-face triangles only, as in the paper, and when they are noticed; not looked at
+///                           if `seed_sources` is given}
 ///     \cgalParamType{`Seed_detection`}
-///     \cgalParamDefault{`Seed_detection::ON_APPEARANCE`}
+///     \cgalParamDefault{unset}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tightening_schedule}
-///     \cgalParamDescription{whether curves are tightened at every level or on the input only}
+///     \cgalParamDescription{how curves are carried to the input and where they are tightened. With other schedules
+///                           than the default the cost grows faster than the number of seeds.}
 ///     \cgalParamType{`Tightening_schedule`}
-///     \cgalParamDefault{`Tightening_schedule::AT_THE_END`}
+///     \cgalParamDefault{`Tightening_schedule::UNSTRAIGHTENED`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has led
@@ -269,10 +297,12 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
                                     get_const_property_map(CGAL::vertex_point, tm));
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Detection_visitor_base());
-  const Seed_detection detection = choose_parameter(get_parameter(np, internal_np::seed_detection),
-                                                    Seed_detection::ON_APPEARANCE);
+  const bool with_refused_seeds =
+      choose_parameter(get_parameter(np, internal_np::seed_detection), Seed_detection::ON_APPEARANCE) ==
+          Seed_detection::ON_REFUSED_COLLAPSE ||
+      !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_sources_t>::value;
   const Tightening_schedule schedule = choose_parameter(get_parameter(np, internal_np::tightening_schedule),
-                                                        Tightening_schedule::AT_THE_END);
+                                                        Tightening_schedule::UNSTRAIGHTENED);
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
   const bool first_only = choose_parameter(get_parameter(np, internal_np::first_constriction_only), false);
 
@@ -282,19 +312,21 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   const std::size_t expected_collapses = imported.points.size();
 
   visitor.on_stage_begin(Detection_stage::SIMPLIFICATION, expected_collapses);
-  const Collapse_record record =
-      internal::simplify(imported, detection == Seed_detection::ON_REFUSED_COLLAPSE, first_only, visitor, np);
+  const Collapse_record record = internal::simplify(imported, with_refused_seeds, first_only, visitor, np);
   visitor.on_stage_end(Detection_stage::SIMPLIFICATION);
 
   Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
-  const std::vector<Seed_curve> seeds = internal::replay(record, detection, first_only, pm);
+  const std::vector<Seed_curve> seeds = internal::find_seeds(record, np, first_only, pm);
   statistics.collapses = record.collapses.size();
   statistics.seeds = seeds.size();
 
   visitor.on_stage_begin(Detection_stage::REFINEMENT, pm.number_of_collapses());
   std::vector<Refined_curve> refined;
   internal::Refinement_progress<decltype(visitor)> progress(visitor, pm.number_of_collapses());
-  refine_seed_curves(pm, seeds, schedule, std::back_inserter(refined), progress);
+  if(schedule == Tightening_schedule::UNSTRAIGHTENED)
+    carry_seed_curves(pm, seeds, Carrying_parameters(), std::back_inserter(refined), progress);
+  else
+    refine_seed_curves(pm, seeds, schedule, std::back_inserter(refined), progress);
   visitor.on_stage_end(Detection_stage::REFINEMENT);
 
   visitor.on_stage_begin(Detection_stage::TIGHTENING, refined.size());

@@ -19,8 +19,9 @@ enum class Seed_detection
 /// When a curve that is carried through the levels is tightened.
 enum class Tightening_schedule
 {
-  EVERY_LEVEL, ///< after every vertex split that touches it, and on the input
-  AT_THE_END   ///< on the input only
+  EVERY_LEVEL,   ///< after every vertex split that touches it, and on the input
+  AT_THE_END,    ///< on the input only; between its pivots it is straightened after every vertex split that touches it
+  UNSTRAIGHTENED ///< carried as a path of edges as far as `carry_seed_curves()` tells, and tightened there and on the input
 };
 
 } // namespace Surface_mesh_constrictions
@@ -29,6 +30,7 @@ namespace internal_np {
 
 enum seed_detection_t { seed_detection };
 enum tightening_schedule_t { tightening_schedule };
+enum seed_sources_t { seed_sources };
 enum first_constriction_only_t { first_constriction_only };
 enum certify_t { certify };
 enum minimum_prominence_t { minimum_prominence };
@@ -58,6 +60,7 @@ namespace Surface_mesh_constrictions {
 namespace parameters {
 
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_detection)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_sources)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(tightening_schedule)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(first_constriction_only)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certify)
