@@ -196,7 +196,8 @@ TEST_F(Program, detect_prints_a_table)
   const Result r = run("detect dumbbell.off");
   EXPECT_EQ(r.exit_code, 0);
   EXPECT_EQ(r.err, ""); // no progress bar where no terminal is
-  for(const char* word : {"id", "length", "points", "pivots", "separating", "side", "seed level", "object"})
+  for(const char* word :
+      {"id", "length", "prominence", "points", "pivots", "separating", "side", "seed level", "object"})
     EXPECT_NE(r.out.find(word), std::string::npos) << word;
   EXPECT_NE(r.out.find("1 constriction from"), std::string::npos) << r.out;
 }
@@ -248,7 +249,8 @@ TEST_F(Program, detect_prints_json_only)
   EXPECT_EQ(keys(statistics), (Keys{"collapses", "seeds", "degenerate", "merged", "not_simple", "not_selected",
                                        "leaky_bands"}));
   EXPECT_EQ(statistics["seeds"].get<int>(), statistics["degenerate"].get<int>() + statistics["merged"].get<int>() +
-                                                statistics["not_simple"].get<int>() + 1);
+                                                statistics["not_simple"].get<int>() +
+                                                statistics["not_selected"].get<int>() + 1);
   EXPECT_EQ(keys(j["seconds"]), (Keys{"read", "simplify", "refine", "tighten", "certify", "total"}));
   EXPECT_EQ(j["seconds"]["certify"], 0);
   EXPECT_GT(j["seconds"]["total"], j["seconds"]["simplify"]);
@@ -345,6 +347,21 @@ TEST_F(Program, policies)
   }
 }
 
+TEST_F(Program, thresholds_select)
+{
+  const auto count = [this](const std::string& options) {
+    const Result r = run("detect dumbbell.off --json - " + options);
+    EXPECT_EQ(r.exit_code, 0) << options;
+    return json::parse(r.out)["constrictions"].size();
+  };
+  EXPECT_EQ(count("--max 0"), 0u);
+  EXPECT_EQ(count("--max 3"), 1u);
+  EXPECT_EQ(count("--min-prominence 1"), 1u);
+  EXPECT_EQ(count("--min-prominence 100"), 0u);
+  EXPECT_EQ(count("--max-ratio 0.01"), 0u);
+  EXPECT_EQ(count("--max-ratio 0.01 --min-prominence 100 --all"), 1u);
+}
+
 TEST_F(Program, tighten)
 {
   Cubes cubes = dumbbell();
@@ -420,6 +437,10 @@ TEST_F(Program, wrong_usage)
   expect_wrong_usage("detect dumbbell.off --json ''");
   expect_wrong_usage("detect dumbbell.off -o ''");
   expect_wrong_usage("tighten dumbbell.off");
+  expect_wrong_usage("detect dumbbell.off --max -1");
+  expect_wrong_usage("detect dumbbell.off --min-prominence high");
+  expect_wrong_usage("detect dumbbell.off --min-prominence -0.1");
+  expect_wrong_usage("detect dumbbell.off --max-ratio nan");
   // nothing is overwritten by mistake
   expect_wrong_usage("detect dumbbell.off --json dumbbell.off");
   expect_wrong_usage("detect dumbbell.off --json a.txt --polylines ./a.txt");

@@ -79,15 +79,15 @@ TEST(Prominence, AShallowNeckSlidesToADeeperOneOverTheBulgeBetweenThem)
   EXPECT_EQ(*curves[1].dominated_by(), 0u);
 }
 
-// To come off over a box of 2 x 3 x 3, the curve of length 4 has to part its surface of 42 into halves on the way, and no
-// curve of length 10 does. The level sets come over the edges of its square face before they come to the corners.
+// The shortest belts of a box of 2 x 3 x 3 have length 10, the longest 12; the level sets come over the edges of its
+// square face before they come to the corners, and are longer.
 TEST(Prominence, TheSquareTubeBetweenTwoBoxesIsHeldByTheBoxes)
 {
   for(int length : {1, 5})
   {
     const std::vector<Constriction> curves = detect(test_meshes::make_mesh(test_meshes::boxes_with_tube(length)));
     ASSERT_EQ(curves.size(), 1u);
-    EXPECT_GT(curves[0].prominence(), 1.5);
+    EXPECT_GT(curves[0].prominence(), 1);
     EXPECT_LT(curves[0].prominence(), 4);
     EXPECT_FALSE(curves[0].dominated_by());
   }
@@ -158,7 +158,7 @@ TEST(Prominence, ComputedAfterwardsItIsWhatTheDetectionComputes)
   }
 }
 
-// The triangle (0,0) (2,0) (0,2) with values 0, 1, 2: the level set of 1 has the length of the line from (2,0) to (0,1).
+// The triangle (0,0) (2,0) (0,2) with values 0, 1, 2: the level set of 1 is the line from (2,0) to (0,1).
 TEST(Prominence, LevelSetsOfATriangleAreMeasuredExactly)
 {
   using SMC::internal::Vector3;

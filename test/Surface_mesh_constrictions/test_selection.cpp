@@ -139,9 +139,9 @@ TEST(Selection, NoiseAndAnotherTriangulationKeepTheNecks)
   for(unsigned seed = 0; seed < 4; ++seed)
     for(int around : {14, 25})
     {
+      const test_meshes::Soup soup = test_meshes::revolution(radius, 6, 2 * around, around, 0.01, seed);
       std::vector<Constriction> curves;
-      SMC::detect_constrictions(test_meshes::make_mesh(test_meshes::revolution(radius, 6, 2 * around, around, 0.01, seed)),
-                                std::back_inserter(curves));
+      SMC::detect_constrictions(test_meshes::make_mesh(soup), std::back_inserter(curves));
       ASSERT_EQ(curves.size(), 1u);
       EXPECT_NEAR(curves[0].length(), 2 * CGAL_PI * 0.4, 0.1);
       EXPECT_NEAR(curves[0].prominence(), 1.5, 0.15);

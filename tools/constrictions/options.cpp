@@ -97,7 +97,9 @@ void add_selection_options(CLI::App& command, Selection& selection)
       "");
 
   command.add_flag("--all", selection.all, "report every distinct closed geodesic found, no selection");
-  command.add_option("--max", selection.maximum_number, "report the N most prominent at most")->type_name("N");
+  command.add_option("--max", selection.maximum_number, "report the N most prominent at most")
+      ->type_name("N")
+      ->check(not_negative);
   command
       .add_option("--min-prominence", selection.minimum_prominence,
                   "leave out curves that slide to a shorter one, or off, when they are made longer by less than this "
