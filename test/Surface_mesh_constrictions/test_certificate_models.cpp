@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
@@ -40,7 +41,7 @@ template <class AnyMesh>
 std::vector<Constriction<AnyMesh> > detect(const AnyMesh& mesh)
 {
   std::vector<Constriction<AnyMesh> > result;
-  detect_constrictions(mesh, std::back_inserter(result));
+  detect_constrictions(mesh, std::back_inserter(result), parameters::all_constrictions(true));
   return result;
 }
 

@@ -40,7 +40,7 @@ typedef internal::Exact_arc<Surface> Arc;
 std::vector<Constriction<Mesh> > detect(const Mesh& mesh)
 {
   std::vector<Constriction<Mesh> > result;
-  detect_constrictions(mesh, std::back_inserter(result));
+  detect_constrictions(mesh, std::back_inserter(result), parameters::all_constrictions(true));
   return result;
 }
 
@@ -183,7 +183,8 @@ TEST(CertificateProperties, NothingIsCertifiedOnConvexPolyhedra)
     for(Seed_detection detection : {Seed_detection::ON_APPEARANCE, Seed_detection::ON_REFUSED_COLLAPSE})
     {
       std::vector<Constriction<Mesh> > found;
-      detect_constrictions(mesh, std::back_inserter(found), parameters::seed_detection(detection));
+      detect_constrictions(mesh, std::back_inserter(found),
+                           parameters::seed_detection(detection, parameters::all_constrictions(true)));
       EXPECT_TRUE(found.empty());
     }
     // random walks that close

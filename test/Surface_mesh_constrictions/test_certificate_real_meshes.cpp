@@ -40,7 +40,7 @@ template <class AnyMesh>
 std::vector<std::vector<std::size_t> > combinatorial_curves(const AnyMesh& mesh)
 {
   std::vector<Constriction<AnyMesh> > found;
-  detect_constrictions(mesh, std::back_inserter(found));
+  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
   std::vector<std::vector<std::size_t> > result;
   for(const auto& c : found)
   {
@@ -76,7 +76,7 @@ TEST_P(FoundCurves, AreCertifiedAndNoTieIsLeft)
 {
   const Mesh mesh = read<Mesh>(GetParam());
   std::vector<Constriction<Mesh> > found;
-  detect_constrictions(mesh, std::back_inserter(found));
+  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
   EXPECT_FALSE(found.empty());
   for(const auto& c : found)
   {
@@ -98,7 +98,8 @@ TEST(Certificates, ExactArithmeticCorrectsMachineParts)
   {
     const Mesh mesh = read<Mesh>(name);
     std::vector<Constriction<Mesh> > uncertified;
-    detect_constrictions(mesh, std::back_inserter(uncertified), parameters::certify(false));
+    detect_constrictions(mesh, std::back_inserter(uncertified),
+                         parameters::certify(false, parameters::all_constrictions(true)));
     std::size_t refused = 0;
     for(const auto& c : uncertified)
     {
@@ -118,7 +119,7 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
 {
   const Mesh mesh = read<Mesh>(GetParam());
   std::vector<Constriction<Mesh> > found;
-  detect_constrictions(mesh, std::back_inserter(found));
+  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
   EXPECT_FALSE(found.empty());
   std::vector<double> defect(mesh.number_of_vertices());
   for(Mesh::Vertex_index v : mesh.vertices())

@@ -217,7 +217,8 @@ std::vector<SMC::Constriction<test_meshes::Mesh> > detect(const test_meshes::Mes
   std::vector<SMC::Constriction<test_meshes::Mesh> > result;
   SMC::detect_constrictions(
       mesh, std::back_inserter(result),
-      SMC::parameters::seed_sources(source, CGAL::parameters::visitor(Statistics_taker(statistics))));
+      SMC::parameters::all_constrictions(
+          true, SMC::parameters::seed_sources(source, CGAL::parameters::visitor(Statistics_taker(statistics)))));
   return result;
 }
 
@@ -259,8 +260,9 @@ TEST(SeedSources, EverySeedIsAccountedFor)
   {
     const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.15, seed, 24, 10));
     SMC::Detection_statistics s;
-    const auto result = detect(mesh, SMC::Default_seed_sources(), s);
-    EXPECT_EQ(s.seeds, s.degenerate + s.not_simple + s.merged + result.size());
+    const auto result = detect(mesh, SMC::Thorough_seed_sources(), s);
+    EXPECT_EQ(s.seeds, s.degenerate + s.not_simple + s.not_certified + s.merged + s.not_selected + result.size());
+    EXPECT_EQ(s.not_selected, 0u);
     std::size_t kept = 0;
     for(const auto& c : result)
       kept += c.seeds().size();
@@ -314,8 +316,8 @@ TEST(SeedSources, ConvexSurfacesHaveNoConstriction)
   {
     SMC::Detection_statistics s;
     const test_meshes::Mesh hull = test_meshes::make_mesh(test_meshes::random_hull(seed, 200));
-    EXPECT_TRUE(detect(hull, SMC::Default_seed_sources(), s).empty());
-    EXPECT_EQ(s.seeds, s.degenerate + s.not_simple);
+    EXPECT_TRUE(detect(hull, SMC::Thorough_seed_sources(), s).empty());
+    EXPECT_EQ(s.seeds, s.degenerate + s.not_simple + s.not_certified);
   }
 }
 

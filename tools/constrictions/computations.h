@@ -16,11 +16,11 @@ namespace constrictions {
 /// \name Detection
 /// One function for each policy of the simplification, each in a file of its own: they take long to compile.
 /// @{
-std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection, bool certifies,
+std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection, const Search& search,
                                                        Stage_monitor& monitor);
-std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, const Selection& selection, bool certifies,
+std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, const Selection& selection, const Search& search,
                                                      Stage_monitor& monitor);
-std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Selection& selection, bool certifies,
+std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Selection& selection, const Search& search,
                                                   Stage_monitor& monitor);
 /// @}
 

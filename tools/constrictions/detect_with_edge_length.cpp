@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "chosen_seed_sources.h"
 #include "computations.h"
 #include "selection_parameters.h"
 
@@ -12,7 +13,7 @@
 
 namespace constrictions {
 
-std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Selection& selection, bool certifies,
+std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Selection& selection, const Search& search,
                                                   Stage_monitor& monitor)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
@@ -22,8 +23,9 @@ std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Select
   const auto policies = CGAL::parameters::get_cost(SMS::Edge_length_cost<SMC::Simplification_mesh>())
                             .get_placement(SMS::Midpoint_placement<SMC::Simplification_mesh>())
                             .visitor(Monitoring_visitor(monitor));
+  const auto selected = with_selection(selection, policies);
   SMC::detect_constrictions(mesh, std::back_inserter(result),
-                            SMC::parameters::certify(certifies, with_selection(selection, policies)));
+                            SMC::parameters::certify(search.certifies, with_seed_sources(search.thorough, selected)));
   return result;
 }
 

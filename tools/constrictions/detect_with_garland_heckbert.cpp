@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "chosen_seed_sources.h"
 #include "computations.h"
 #include "selection_parameters.h"
 
@@ -9,14 +10,15 @@
 
 namespace constrictions {
 
-std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection, bool certifies,
+std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection, const Search& search,
                                                        Stage_monitor& monitor)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
 
   std::vector<Constriction> result;
   const auto selected = with_selection(selection, CGAL::parameters::visitor(Monitoring_visitor(monitor)));
-  SMC::detect_constrictions(mesh, std::back_inserter(result), SMC::parameters::certify(certifies, selected));
+  SMC::detect_constrictions(mesh, std::back_inserter(result),
+                            SMC::parameters::certify(search.certifies, with_seed_sources(search.thorough, selected)));
   return result;
 }
 

@@ -63,7 +63,7 @@ void add_common_options(CLI::App& command, Options& options)
       ->type_name("FILE")
       ->check(not_empty)
       ->check(not_dash);
-  command.add_flag_callback("--no-certify", [&options] { options.certifies = false; },
+  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
                             "prove nothing with exact arithmetic: curves rest on rounded numbers");
   command.add_flag("--quiet", options.quiet, "show no progress bar");
   command.footer("\nWithout -o, --json and --polylines a table is printed.\n");
@@ -179,6 +179,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
       ->check(CLI::IsMember({"gh", "lt", "length"}).description(""));
 
   add_selection_options(detect, options.selection);
+  detect.add_flag("--thorough", options.search.thorough,
+                  "search with all sources of seed curves: finds most constrictions, and takes several times longer");
 
   CLI::App& tighten = *app.add_subcommand("tighten", "shorten given loops until they are constrictions");
   add_common_options(tighten, options);

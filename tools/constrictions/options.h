@@ -23,6 +23,13 @@ struct Selection
   bool all = false;
 };
 
+/// How constrictions are searched.
+struct Search
+{
+  bool thorough = false; ///< with all seed sources
+  bool certifies = true;
+};
+
 /// What the user asks for. A file or folder that was not asked for has an empty name.
 struct Options
 {
@@ -34,7 +41,7 @@ struct Options
   std::string json; ///< "-" is the standard output
   std::string polylines;
   Policy policy = Policy::GARLAND_HECKBERT;
-  bool certifies = true;
+  Search search;
   Selection selection;
   bool quiet = false;
 

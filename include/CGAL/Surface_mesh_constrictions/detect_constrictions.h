@@ -162,8 +162,7 @@ std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedPar
                ? replay(record, Non_face_triangle_seeds(), first_only, pm)
                : replay(record, Refused_collapse_seeds(), first_only, pm);
   else
-    return first_only ? replay(record, Non_face_triangle_seeds(), first_only, pm)
-                      : replay(record, Default_seed_sources(), first_only, pm);
+    return replay(record, Non_face_triangle_seeds(), first_only, pm);
 }
 
 } // namespace internal
@@ -214,7 +213,7 @@ std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedPar
 ///   \cgalParamNBegin{seed_sources}
 ///     \cgalParamDescription{where the seed curves come from}
 ///     \cgalParamType{a seed source, see `Non_face_triangle_seeds`; several are one, `Seed_sources`}
-///     \cgalParamDefault{`Default_seed_sources`; `Non_face_triangle_seeds` if only the first constriction is asked for}
+///     \cgalParamDefault{`Non_face_triangle_seeds`; `Thorough_seed_sources` find more}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{seed_detection}
 ///     \cgalParamDescription{asks for non-face triangles only, as in the paper, and when they are noticed; not looked at
@@ -224,9 +223,10 @@ std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedPar
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tightening_schedule}
 ///     \cgalParamDescription{how curves are carried to the input and where they are tightened. With other schedules
-///                           than the default the cost grows faster than the number of seeds.}
+///                           than `UNSTRAIGHTENED` the cost grows faster than the number of seeds.}
 ///     \cgalParamType{`Tightening_schedule`}
-///     \cgalParamDefault{`Tightening_schedule::UNSTRAIGHTENED`}
+///     \cgalParamDefault{`Tightening_schedule::UNSTRAIGHTENED` if `seed_sources` is given, else
+///                       `Tightening_schedule::AT_THE_END`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has led
@@ -297,12 +297,14 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
                                     get_const_property_map(CGAL::vertex_point, tm));
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Detection_visitor_base());
+  const bool has_sources = !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_sources_t>::value;
   const bool with_refused_seeds =
       choose_parameter(get_parameter(np, internal_np::seed_detection), Seed_detection::ON_APPEARANCE) ==
           Seed_detection::ON_REFUSED_COLLAPSE ||
-      !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_sources_t>::value;
+      has_sources;
   const Tightening_schedule schedule = choose_parameter(get_parameter(np, internal_np::tightening_schedule),
-                                                        Tightening_schedule::UNSTRAIGHTENED);
+                                                        has_sources ? Tightening_schedule::UNSTRAIGHTENED
+                                                                    : Tightening_schedule::AT_THE_END);
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
   const bool first_only = choose_parameter(get_parameter(np, internal_np::first_constriction_only), false);
 
