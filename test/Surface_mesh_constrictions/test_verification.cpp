@@ -4,6 +4,7 @@
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/verify_with_shortest_paths.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -30,7 +31,7 @@ template <class Graph>
 std::vector<SMC::Constriction<Graph> > detect(const Graph& mesh)
 {
   std::vector<SMC::Constriction<Graph> > curves;
-  SMC::detect_constrictions(mesh, std::back_inserter(curves));
+  SMC::detect_constrictions(mesh, std::back_inserter(curves), SMC::parameters::all_constrictions(true));
   return curves;
 }
 

@@ -7,6 +7,7 @@
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/verify_with_shortest_paths.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -29,7 +30,7 @@ typedef displaced_curves::Displacements<Mesh> Displacements;
 std::vector<Constriction> detect(const Mesh& mesh)
 {
   std::vector<Constriction> curves;
-  SMC::detect_constrictions(mesh, std::back_inserter(curves));
+  SMC::detect_constrictions(mesh, std::back_inserter(curves), SMC::parameters::all_constrictions(true));
   EXPECT_FALSE(curves.empty());
   return curves;
 }
