@@ -1,187 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/program_fixture.h"
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <map>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-typedef std::array<int, 3> Grid_point;
-
-// The boundary of a set of unit cubes as OFF, each square cut into two triangles. The cubes that share a vertex must
-// share faces around it.
-class Cubes
-{
-public:
-  void add_box(const Grid_point& low, const Grid_point& high)
-  {
-    for(int x = low[0]; x < high[0]; ++x)
-      for(int y = low[1]; y < high[1]; ++y)
-        for(int z = low[2]; z < high[2]; ++z)
-          m_cubes.insert({x, y, z});
-  }
-
-  std::string off()
-  {
-    for(const Grid_point& cube : m_cubes)
-      for(int axis = 0; axis < 3; ++axis)
-        for(int direction : {-1, 1})
-          add_side(cube, axis, direction);
-    std::ostringstream out;
-    out << "OFF\n" << m_points.size() << ' ' << m_triangles.size() << " 0\n";
-    for(const Grid_point& p : m_points)
-      out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-    for(const Grid_point& t : m_triangles)
-      out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-    return out.str();
-  }
-
-  int vertex(const Grid_point& p)
-  {
-    const auto inserted = m_numbers.insert({p, static_cast<int>(m_points.size())});
-    if(inserted.second)
-      m_points.push_back(p);
-    return inserted.first->second;
-  }
-
-private:
-  static Grid_point moved(Grid_point p, int axis, int by)
-  {
-    p[static_cast<std::size_t>(axis % 3)] += by;
-    return p;
-  }
-
-  void add_side(const Grid_point& cube, int axis, int direction)
-  {
-    if(m_cubes.count(moved(cube, axis, direction)) != 0)
-      return;
-    // counterclockwise seen from outside
-    const int u = direction == 1 ? axis + 1 : axis + 2, v = direction == 1 ? axis + 2 : axis + 1;
-    const Grid_point p = direction == 1 ? moved(cube, axis, 1) : cube;
-    const int a = vertex(p), b = vertex(moved(p, u, 1)), c = vertex(moved(moved(p, u, 1), v, 1)),
-              d = vertex(moved(p, v, 1));
-    m_triangles.push_back({a, b, c});
-    m_triangles.push_back({a, c, d});
-  }
-
-  std::set<Grid_point> m_cubes;
-  std::map<Grid_point, int> m_numbers;
-  std::vector<Grid_point> m_points, m_triangles;
-};
-
-// Two cubes of edge length 3 joined by a tube of width 1 and length 2: one constriction, of length 4.
-Cubes dumbbell()
-{
-  Cubes cubes;
-  cubes.add_box({0, 0, 0}, {3, 3, 3});
-  cubes.add_box({3, 1, 1}, {5, 2, 2});
-  cubes.add_box({5, 0, 0}, {8, 3, 3});
-  return cubes;
-}
-
-const char* const tetrahedron = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
-
-struct Result
-{
-  int exit_code;
-  std::string out, err;
-};
-
-class Program
-  : public testing::Test
-{
-protected:
-  Program()
-  {
-    std::string name = testing::TempDir() + "program_XXXXXX";
-    folder = mkdtemp(&name[0]);
-    write("dumbbell.off", dumbbell().off());
-    write("tetrahedron.off", tetrahedron);
-  }
-
-  ~Program() override
-  {
-    std::error_code error;
-    fs::permissions(folder / "closed", fs::perms::owner_all, error);
-    fs::remove_all(folder, error);
-  }
-
-  void write(const std::string& name, const std::string& content) const
-  {
-    std::ofstream(folder / name, std::ios::binary) << content;
-  }
-
-  std::string content(const fs::path& name) const
-  {
-    std::ostringstream result;
-    result << std::ifstream(folder / name, std::ios::binary).rdbuf();
-    return result.str();
-  }
-
-  // Runs the program in the folder; the standard output goes to `out_file`.
-  Result run(const std::string& arguments, const std::string& out_file = "stdout.txt") const
-  {
-    const std::string command = "cd '" + folder.string() + "' && '" CONSTRICTIONS_PROGRAM "' " + arguments + " > " +
-                                out_file + " 2> stderr.txt < /dev/null";
-    const int status = std::system(command.c_str());
-    Result result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content("stdout.txt"), content("stderr.txt")};
-    fs::remove(folder / "stdout.txt");
-    fs::remove(folder / "stderr.txt");
-    return result;
-  }
-
-  // The program ends with this code, one line on the standard error output that holds `parts`, and leaves no file.
-  void expect_failure(int exit_code, const std::string& arguments, const std::vector<std::string>& parts) const
-  {
-    SCOPED_TRACE(arguments);
-    const std::set<fs::path> before = files();
-    const Result r = run(arguments);
-    EXPECT_EQ(r.exit_code, exit_code);
-    EXPECT_EQ(r.out, "");
-    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
-    EXPECT_EQ(r.err.rfind("constrictions: ", 0), 0u) << r.err;
-    for(const std::string& part : parts)
-      EXPECT_NE(r.err.find(part), std::string::npos) << part << " in: " << r.err;
-    EXPECT_EQ(files(), before);
-  }
-
-  void expect_wrong_usage(const std::string& arguments) const
-  {
-    SCOPED_TRACE(arguments);
-    const std::set<fs::path> before = files();
-    const Result r = run(arguments);
-    EXPECT_EQ(r.exit_code, 2);
-    EXPECT_EQ(r.out, "");
-    EXPECT_NE(r.err, "");
-    EXPECT_EQ(files(), before);
-  }
-
-  std::set<fs::path> files() const
-  {
-    std::set<fs::path> result;
-    for(const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-      result.insert(entry.path().lexically_relative(folder));
-    return result;
-  }
-
-  fs::path folder;
-};
+using program_fixture::Cubes;
+using program_fixture::dumbbell;
+using program_fixture::Grid_point;
+using program_fixture::Program;
+using program_fixture::Result;
+using program_fixture::tetrahedron;
 
 std::vector<std::string> keys(const nlohmann::ordered_json& object)
 {
@@ -196,8 +36,8 @@ TEST_F(Program, detect_prints_a_table)
   const Result r = run("detect dumbbell.off");
   EXPECT_EQ(r.exit_code, 0);
   EXPECT_EQ(r.err, ""); // no progress bar where no terminal is
-  for(const char* word :
-      {"id", "length", "prominence", "points", "pivots", "separating", "side", "seed level", "object"})
+  for(const char* word : {"id", "length", "prominence", "points", "pivots", "separating", "side", "certificate",
+                          "seed level", "object", "not strict"})
     EXPECT_NE(r.out.find(word), std::string::npos) << word;
   EXPECT_NE(r.out.find("1 constriction from"), std::string::npos) << r.out;
 }
@@ -228,7 +68,7 @@ TEST_F(Program, detect_prints_json_only)
   EXPECT_EQ(c["id"], 0);
   EXPECT_DOUBLE_EQ(c["length"], 4);
   EXPECT_EQ(c["points"].size(), c["locations"].size());
-  EXPECT_EQ(c["certificate"], "not_certified: no exact certificate has been computed");
+  EXPECT_EQ(c["certificate"], "constriction"); // in a flat band
   EXPECT_EQ(c["side"], "object");
   EXPECT_EQ(c["separating"], true);
   EXPECT_DOUBLE_EQ(c["areas"][0].get<double>() + c["areas"][1].get<double>(), 114);
@@ -246,13 +86,18 @@ TEST_F(Program, detect_prints_json_only)
   }
 
   const auto& statistics = j["statistics"];
-  EXPECT_EQ(keys(statistics), (Keys{"collapses", "seeds", "degenerate", "merged", "not_simple", "not_selected",
-                                       "leaky_bands"}));
-  EXPECT_EQ(statistics["seeds"].get<int>(), statistics["degenerate"].get<int>() + statistics["merged"].get<int>() +
-                                                statistics["not_simple"].get<int>() +
-                                                statistics["not_selected"].get<int>() + 1);
+  EXPECT_EQ(keys(statistics), (Keys{"collapses", "seeds", "degenerate", "merged", "not_simple", "leaky_bands",
+                                    "not_certified", "not_selected", "corrected", "signs"}));
+  EXPECT_EQ(keys(statistics["signs"]),
+            (Keys{"interval", "multiprecision", "finite_field", "algebra", "unproved"}));
+  EXPECT_GT(statistics["signs"]["algebra"], 0); // the sides of the band are parallel
+  EXPECT_EQ(statistics["signs"]["unproved"], 0);
+  EXPECT_EQ(statistics["not_certified"], 0);
+  EXPECT_EQ(statistics["seeds"].get<int>(),
+            statistics["degenerate"].get<int>() + statistics["merged"].get<int>() + statistics["not_simple"].get<int>() +
+                statistics["not_certified"].get<int>() + statistics["not_selected"].get<int>() + 1);
   EXPECT_EQ(keys(j["seconds"]), (Keys{"read", "simplify", "refine", "tighten", "certify", "total"}));
-  EXPECT_EQ(j["seconds"]["certify"], 0);
+  EXPECT_GT(j["seconds"]["certify"], 0);
   EXPECT_GT(j["seconds"]["total"], j["seconds"]["simplify"]);
   EXPECT_GT(j["peak_rss_bytes"], 1000000);
 }
@@ -344,6 +189,9 @@ TEST_F(Program, policies)
     ASSERT_EQ(r.exit_code, 0) << policy;
     for(const json& c : json::parse(r.out).at("constrictions"))
       EXPECT_NEAR(c.at("length").get<double>(), 4, 1e-12) << policy;
+    const Result certified = run(std::string("detect dumbbell.off --all --json - --policy ") + policy);
+    for(const json& c : json::parse(certified.out).at("constrictions"))
+      EXPECT_EQ(c.at("certificate"), "constriction") << policy;
   }
 }
 
@@ -360,6 +208,16 @@ TEST_F(Program, thresholds_select)
   EXPECT_EQ(count("--min-prominence 100"), 0u);
   EXPECT_EQ(count("--max-ratio 0.01"), 0u);
   EXPECT_EQ(count("--max-ratio 0.01 --min-prominence 100 --all"), 1u);
+}
+
+TEST_F(Program, no_certificates)
+{
+  const json j = json::parse(run("detect dumbbell.off --no-certify --json -").out);
+  ASSERT_EQ(j.at("constrictions").size(), 1u);
+  EXPECT_EQ(j.at("constrictions").at(0).at("certificate"), "not_certified: no exact certificate has been computed");
+  for(const auto& signs : j.at("statistics").at("signs").items())
+    EXPECT_EQ(signs.value(), 0) << signs.key();
+  EXPECT_NE(run("detect dumbbell.off --no-certify").out.find(" none "), std::string::npos);
 }
 
 TEST_F(Program, tighten)
@@ -386,12 +244,18 @@ TEST_F(Program, tighten)
   ASSERT_EQ(j.at("constrictions").size(), 1u);
   const json& c = j.at("constrictions").at(0);
   EXPECT_DOUBLE_EQ(c.at("length").get<double>(), 4);
+  EXPECT_EQ(c.at("certificate"), "constriction");
   EXPECT_EQ(c.at("seed").at("level"), 0);
   EXPECT_EQ(c.at("seed").at("origin"), "user");
   EXPECT_EQ(c.at("seed").at("vertices").size(), 4u);
   EXPECT_EQ(j.at("statistics").at("seeds"), 2);
   EXPECT_EQ(j.at("statistics").at("degenerate"), 1);
   EXPECT_EQ(j.at("statistics").at("collapses"), 0);
+  EXPECT_GT(j.at("statistics").at("signs").at("interval"), 0);
+
+  const json plain = json::parse(run("tighten dumbbell.off --loops loops.txt --no-certify --json -").out);
+  EXPECT_EQ(plain.at("constrictions").at(0).at("certificate"),
+            "not_certified: no exact certificate has been computed");
 }
 
 TEST_F(Program, unusable_loops)
@@ -441,6 +305,7 @@ TEST_F(Program, wrong_usage)
   expect_wrong_usage("detect dumbbell.off --min-prominence high");
   expect_wrong_usage("detect dumbbell.off --min-prominence -0.1");
   expect_wrong_usage("detect dumbbell.off --max-ratio nan");
+  expect_wrong_usage("certify dumbbell.off");
   // nothing is overwritten by mistake
   expect_wrong_usage("detect dumbbell.off --json dumbbell.off");
   expect_wrong_usage("detect dumbbell.off --json a.txt --polylines ./a.txt");
@@ -449,7 +314,7 @@ TEST_F(Program, wrong_usage)
 
 TEST_F(Program, help_and_version)
 {
-  for(const char* arguments : {"--help", "detect --help", "tighten --help", "--version"})
+  for(const char* arguments : {"--help", "detect --help", "tighten --help", "certify --help", "--version"})
   {
     const Result r = run(arguments);
     EXPECT_EQ(r.exit_code, 0) << arguments;
@@ -457,7 +322,7 @@ TEST_F(Program, help_and_version)
     EXPECT_NE(r.out, "") << arguments;
   }
   const std::string help = run("--help").out;
-  for(const char* word : {"detect", "tighten", "Examples", "Exit codes"})
+  for(const char* word : {"detect", "tighten", "certify", "Examples", "Exit codes"})
     EXPECT_NE(help.find(word), std::string::npos) << word;
 }
 
