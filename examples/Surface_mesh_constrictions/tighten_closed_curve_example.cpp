@@ -43,6 +43,9 @@ int main(int argc, char* argv[])
   case SMC::Tightening_verdict::NOT_SIMPLE:
     std::cout << "the loop crosses itself" << std::endl;
     break;
+  case SMC::Tightening_verdict::NOT_CERTIFIED:
+    std::cout << "a curve that could not be proved to be a constriction" << std::endl;
+    break;
   }
   return EXIT_SUCCESS;
 }
