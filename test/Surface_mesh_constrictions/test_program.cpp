@@ -36,8 +36,8 @@ TEST_F(Program, detect_prints_a_table)
   const Result r = run("detect dumbbell.off");
   EXPECT_EQ(r.exit_code, 0);
   EXPECT_EQ(r.err, ""); // no progress bar where no terminal is
-  for(const char* word : {"id", "length", "points", "pivots", "separating", "side", "certificate", "seed level", "object",
-                          "not strict"})
+  for(const char* word : {"id", "length", "points", "pivots", "separating", "side", "certificate", "seed level",
+                          "object", "not strict"})
     EXPECT_NE(r.out.find(word), std::string::npos) << word;
   EXPECT_NE(r.out.find("1 constriction from"), std::string::npos) << r.out;
 }
