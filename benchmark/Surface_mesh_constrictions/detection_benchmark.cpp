@@ -4,7 +4,7 @@
 //
 // Meshes: a generated chain of necks with about 1,000, 10,000, 100,000 and 800,000 faces; and, with
 // CONSTRICTIONS_MESH_DIR in the environment, its armadillo.off after 0, 1 and 2 Loop subdivisions.
-// Counters: faces, curves; peak_MB is what the process's peak memory rose to, which only means something if one
+// Counters: faces, curves; certify_percent is the share of the detection's time; peak_MB is what the process's peak memory rose to, which only means something if one
 // benchmark is run alone (--benchmark_filter).
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
@@ -23,6 +23,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -122,18 +123,45 @@ void edge_collapse_alone(benchmark::State& state)
   report(state, mesh);
 }
 
+// Adds up the processor time of certification.
+struct Certification_clock : public SMC::Detection_visitor_base
+{
+  std::clock_t* begin;
+  double* seconds;
+
+  Certification_clock(std::clock_t* begin, double* seconds) : begin(begin), seconds(seconds) {}
+
+  void on_stage_begin(SMC::Detection_stage stage, std::size_t) const
+  {
+    if(stage == SMC::Detection_stage::CERTIFICATION)
+      *begin = std::clock();
+  }
+
+  void on_stage_end(SMC::Detection_stage stage) const
+  {
+    if(stage == SMC::Detection_stage::CERTIFICATION)
+      *seconds += static_cast<double>(std::clock() - *begin) / CLOCKS_PER_SEC;
+  }
+};
+
 void whole_detection(benchmark::State& state)
 {
   const Mesh& mesh = mesh_of(state);
   if(mesh.is_empty())
     return state.SkipWithError("no armadillo.off in CONSTRICTIONS_MESH_DIR");
   std::vector<SMC::Constriction<Mesh> > constrictions;
+  std::clock_t begin = 0;
+  double certification = 0;
+  const std::clock_t start = std::clock();
   for(auto _ : state)
   {
     constrictions.clear();
-    SMC::detect_constrictions(mesh, std::back_inserter(constrictions));
+    SMC::detect_constrictions(mesh, std::back_inserter(constrictions),
+                              CGAL::parameters::visitor(Certification_clock(&begin, &certification)));
   }
+  const double whole = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   report(state, mesh);
+  state.counters["certify_percent"] = 100 * certification / whole;
   state.counters["curves"] = static_cast<double>(constrictions.size());
 }
 

@@ -5,6 +5,7 @@
 /// \file
 /// Everything that users name.
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Closed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
@@ -14,12 +15,22 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_preserving_placement.h>
+#include <CGAL/Surface_mesh_constrictions/Shortest_path_verification.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
+#include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/section_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/verify_with_shortest_paths.h>
 
 #endif // CGAL_SURFACE_MESH_CONSTRICTIONS_H

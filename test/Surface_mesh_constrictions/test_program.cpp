@@ -36,8 +36,8 @@ TEST_F(Program, detect_prints_a_table)
   const Result r = run("detect dumbbell.off");
   EXPECT_EQ(r.exit_code, 0);
   EXPECT_EQ(r.err, ""); // no progress bar where no terminal is
-  for(const char* word : {"id", "length", "points", "pivots", "separating", "side", "certificate", "seed level",
-                          "object", "not strict"})
+  for(const char* word : {"id", "length", "prominence", "points", "pivots", "separating", "side", "certificate",
+                          "seed level", "object", "not strict"})
     EXPECT_NE(r.out.find(word), std::string::npos) << word;
   EXPECT_NE(r.out.find("1 constriction from"), std::string::npos) << r.out;
 }
@@ -72,7 +72,7 @@ TEST_F(Program, detect_prints_json_only)
   EXPECT_EQ(c["side"], "object");
   EXPECT_EQ(c["separating"], true);
   EXPECT_DOUBLE_EQ(c["areas"][0].get<double>() + c["areas"][1].get<double>(), 114);
-  EXPECT_TRUE(c["prominence"].is_null());
+  EXPECT_GT(c["prominence"].get<double>(), 1);
   EXPECT_TRUE(c["dominated_by"].is_null());
   EXPECT_EQ(keys(c["seed"]), (Keys{"level", "vertices", "origin"}));
   EXPECT_EQ(c["seed"]["origin"], "non_face_triangle");
@@ -87,15 +87,15 @@ TEST_F(Program, detect_prints_json_only)
 
   const auto& statistics = j["statistics"];
   EXPECT_EQ(keys(statistics), (Keys{"collapses", "seeds", "degenerate", "merged", "not_simple", "leaky_bands",
-                                    "not_certified", "corrected", "signs"}));
+                                    "not_certified", "not_selected", "corrected", "signs"}));
   EXPECT_EQ(keys(statistics["signs"]),
             (Keys{"interval", "multiprecision", "finite_field", "algebra", "unproved"}));
   EXPECT_GT(statistics["signs"]["algebra"], 0); // the sides of the band are parallel
   EXPECT_EQ(statistics["signs"]["unproved"], 0);
   EXPECT_EQ(statistics["not_certified"], 0);
-  EXPECT_EQ(statistics["seeds"].get<int>(), statistics["degenerate"].get<int>() + statistics["merged"].get<int>() +
-                                                statistics["not_simple"].get<int>() +
-                                                statistics["not_certified"].get<int>() + 1);
+  EXPECT_EQ(statistics["seeds"].get<int>(),
+            statistics["degenerate"].get<int>() + statistics["merged"].get<int>() + statistics["not_simple"].get<int>() +
+                statistics["not_certified"].get<int>() + statistics["not_selected"].get<int>() + 1);
   EXPECT_EQ(keys(j["seconds"]), (Keys{"read", "simplify", "refine", "tighten", "certify", "total"}));
   EXPECT_GT(j["seconds"]["certify"], 0);
   EXPECT_GT(j["seconds"]["total"], j["seconds"]["simplify"]);
@@ -195,6 +195,21 @@ TEST_F(Program, policies)
   }
 }
 
+TEST_F(Program, thresholds_select)
+{
+  const auto count = [this](const std::string& options) {
+    const Result r = run("detect dumbbell.off --json - " + options);
+    EXPECT_EQ(r.exit_code, 0) << options;
+    return json::parse(r.out)["constrictions"].size();
+  };
+  EXPECT_EQ(count("--max 0"), 0u);
+  EXPECT_EQ(count("--max 3"), 1u);
+  EXPECT_EQ(count("--min-prominence 1"), 1u);
+  EXPECT_EQ(count("--min-prominence 100"), 0u);
+  EXPECT_EQ(count("--max-ratio 0.01"), 0u);
+  EXPECT_EQ(count("--max-ratio 0.01 --min-prominence 100 --all"), 1u);
+}
+
 TEST_F(Program, no_certificates)
 {
   const json j = json::parse(run("detect dumbbell.off --no-certify --json -").out);
@@ -286,6 +301,10 @@ TEST_F(Program, wrong_usage)
   expect_wrong_usage("detect dumbbell.off --json ''");
   expect_wrong_usage("detect dumbbell.off -o ''");
   expect_wrong_usage("tighten dumbbell.off");
+  expect_wrong_usage("detect dumbbell.off --max -1");
+  expect_wrong_usage("detect dumbbell.off --min-prominence high");
+  expect_wrong_usage("detect dumbbell.off --min-prominence -0.1");
+  expect_wrong_usage("detect dumbbell.off --max-ratio nan");
   expect_wrong_usage("certify dumbbell.off");
   // nothing is overwritten by mistake
   expect_wrong_usage("detect dumbbell.off --json dumbbell.off");

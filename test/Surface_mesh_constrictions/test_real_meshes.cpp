@@ -31,7 +31,7 @@ std::vector<Constriction> detect(const std::string& name)
     ADD_FAILURE() << "cannot read " << name;
     return curves;
   }
-  SMC::detect_constrictions(mesh, std::back_inserter(curves));
+  SMC::detect_constrictions(mesh, std::back_inserter(curves), SMC::parameters::all_constrictions(true));
   for(const Constriction& c : curves)
     geodesic_check::expect_closed_geodesic(mesh, c, 1e-7);
   return curves;

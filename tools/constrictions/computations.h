@@ -5,6 +5,7 @@
 #include "certificates.h"
 #include "curves_file.h"
 #include "loops_file.h"
+#include "options.h"
 #include "report.h"
 #include "stage_monitor.h"
 
@@ -15,9 +16,12 @@ namespace constrictions {
 /// \name Detection
 /// One function for each policy of the simplification, each in a file of its own: they take long to compile.
 /// @{
-std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, bool certifies, Stage_monitor& monitor);
-std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, bool certifies, Stage_monitor& monitor);
-std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, bool certifies, Stage_monitor& monitor);
+std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection, const Search& search,
+                                                       Stage_monitor& monitor);
+std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, const Selection& selection, const Search& search,
+                                                     Stage_monitor& monitor);
+std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Selection& selection, const Search& search,
+                                                  Stage_monitor& monitor);
 /// @}
 
 /// tightens the loops; fills the constrictions, the statistics and the remarks of the report.

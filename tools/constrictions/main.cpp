@@ -63,13 +63,13 @@ void detect(const Options& options, Stage_monitor& monitor, Report& report)
   switch(options.policy)
   {
     case Policy::GARLAND_HECKBERT:
-      report.constrictions = detect_with_garland_heckbert(report.mesh, options.certifies, monitor);
+      report.constrictions = detect_with_garland_heckbert(report.mesh, options.selection, options.search, monitor);
       break;
     case Policy::LINDSTROM_TURK:
-      report.constrictions = detect_with_lindstrom_turk(report.mesh, options.certifies, monitor);
+      report.constrictions = detect_with_lindstrom_turk(report.mesh, options.selection, options.search, monitor);
       break;
     case Policy::EDGE_LENGTH:
-      report.constrictions = detect_with_edge_length(report.mesh, options.certifies, monitor);
+      report.constrictions = detect_with_edge_length(report.mesh, options.selection, options.search, monitor);
       break;
   }
   report.statistics = monitor.statistics;
@@ -79,7 +79,7 @@ void tighten(const Options& options, const Loops& loops, Stage_monitor& monitor,
 {
   try
   {
-    tighten_loops(loops, options.certifies, monitor, report);
+    tighten_loops(loops, options.search.certifies, monitor, report);
   }
   catch(const Invalid_input& e)
   {

@@ -63,8 +63,7 @@ void add_common_options(CLI::App& command, Options& options)
       ->type_name("FILE")
       ->check(not_empty)
       ->check(not_dash);
-  command.add_flag("--all", "report every distinct closed geodesic found; what this version always does");
-  command.add_flag_callback("--no-certify", [&options] { options.certifies = false; },
+  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
                             "prove nothing with exact arithmetic: curves rest on rounded numbers");
   command.add_flag("--quiet", options.quiet, "show no progress bar");
   command.footer("\nWithout -o, --json and --polylines a table is printed.\n");
@@ -86,6 +85,33 @@ void add_certify_options(CLI::App& command, Options& options)
   command.add_flag("--quiet", options.quiet, "show no progress bar");
   command.footer("\nPrints a line for each curve: its id, and strict_constriction, constriction, or not_certified with "
                  "the\nreason. The exit code is 0 only if every curve is certified, else 1.\n");
+}
+
+void add_selection_options(CLI::App& command, Selection& selection)
+{
+  const CLI::Validator not_negative(
+      [](const std::string& text) {
+        double value = 0;
+        return CLI::detail::lexical_cast(text, value) && value >= 0 ? "" : "give a number that is not negative";
+      },
+      "");
+
+  command.add_flag("--all", selection.all, "report every distinct closed geodesic found, no selection");
+  command.add_option("--max", selection.maximum_number, "report the N most prominent at most")
+      ->type_name("N")
+      ->check(not_negative);
+  command
+      .add_option("--min-prominence", selection.minimum_prominence,
+                  "leave out curves that slide to a shorter one, or off, when they are made longer by less than this "
+                  "share of their length")
+      ->type_name("P")
+      ->check(not_negative);
+  command
+      .add_option("--max-ratio", selection.maximum_ratio,
+                  "leave out curves that cut off too little: length^2 / (4 pi area) is greater than this; it is 0.5 for "
+                  "the equator of a sphere")
+      ->type_name("R")
+      ->check(not_negative);
 }
 
 // Files that would overwrite each other or the input are a mistake on the command line.
@@ -151,6 +177,10 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
                   "Lindstrom-Turk, length shortest edge first")
       ->type_name("gh|lt|length")
       ->check(CLI::IsMember({"gh", "lt", "length"}).description(""));
+
+  add_selection_options(detect, options.selection);
+  detect.add_flag("--thorough", options.search.thorough,
+                  "search with all sources of seed curves: finds most constrictions, and takes several times longer");
 
   CLI::App& tighten = *app.add_subcommand("tighten", "shorten given loops until they are constrictions");
   add_common_options(tighten, options);

@@ -2,6 +2,8 @@
 #ifndef CONSTRICTIONS_OPTIONS_H
 #define CONSTRICTIONS_OPTIONS_H
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +13,22 @@ namespace constrictions {
 enum class Command { DETECT, TIGHTEN, CERTIFY };
 
 enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
+
+/// Which of the curves that are found are reported. A threshold that was not given is the library's.
+struct Selection
+{
+  std::optional<double> minimum_prominence;
+  std::optional<double> maximum_ratio;
+  std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)();
+  bool all = false;
+};
+
+/// How constrictions are searched.
+struct Search
+{
+  bool thorough = false; ///< with all seed sources
+  bool certifies = true;
+};
 
 /// What the user asks for. A file or folder that was not asked for has an empty name.
 struct Options
@@ -23,7 +41,8 @@ struct Options
   std::string json; ///< "-" is the standard output
   std::string polylines;
   Policy policy = Policy::GARLAND_HECKBERT;
-  bool certifies = true;
+  Search search;
+  Selection selection;
   bool quiet = false;
 
   bool prints_json() const { return json == "-"; }

@@ -42,6 +42,7 @@ const char* name(SMC::Seed_origin origin)
   {
     case SMC::Seed_origin::NON_FACE_TRIANGLE: return "non_face_triangle";
     case SMC::Seed_origin::CUT_LOCUS: return "cut_locus";
+    case SMC::Seed_origin::SECTION: return "section";
     default: return "user";
   }
 }
@@ -149,8 +150,8 @@ Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mes
           {"separating", c.is_separating()},
           {"areas", c.areas()},
           {"isoperimetric_ratio", c.isoperimetric_ratio()},
-          {"prominence", nullptr},
-          {"dominated_by", nullptr},
+          {"prominence", c.prominence()}, // null if it is not a number
+          {"dominated_by", c.dominated_by() ? Json(*c.dominated_by()) : Json()},
           {"seed", seed_as_json(c.seeds().front())}};
 }
 
@@ -175,6 +176,7 @@ std::string report_as_json(const Report& report)
                        {"not_simple", s.not_simple},
                        {"leaky_bands", s.leaky_bands},
                        {"not_certified", s.not_certified},
+                       {"not_selected", s.not_selected},
                        {"corrected", s.corrected},
                        {"signs", signs_as_json(s.signs)}}},
                      {"seconds",

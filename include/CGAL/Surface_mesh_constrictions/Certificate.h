@@ -24,7 +24,7 @@ enum class Certificate_verdict
   NOT_STRAIGHT,        ///< in the unfolded strip the arc does not cross the inside of each edge
   ANGLE_BELOW_PI,      ///< a side angle at a pivot is less than pi
   CROSSES_ITSELF,      ///< a closed geodesic that crosses itself
-  TOUCHES_ITSELF,      ///< a closed geodesic that passes through a vertex twice and does not cross itself there
+  TOUCHES_ITSELF,      ///< a closed geodesic that passes through a vertex twice without crossing itself there
   TIE_NOT_PROVED       ///< a number stayed around zero and could not be proved to be zero
 };
 

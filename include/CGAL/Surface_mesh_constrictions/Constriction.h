@@ -13,7 +13,9 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -87,6 +89,9 @@ public:
     double isoperimetric_ratio = 0;
     Side side = Side::MIXED;
     Certificate certificate;
+    double prominence = std::numeric_limits<double>::quiet_NaN();
+    std::optional<std::size_t> dominated_by;
+    std::vector<std::size_t> crosses;
   };
 
   Constriction() : m_data(std::make_shared<const Data>()) {}
@@ -121,6 +126,23 @@ public:
 
   /// what has been proved of the curve
   const Certificate& certificate() const { return m_data->certificate; }
+
+  /// how much longer the curve must become, relative to its length, before it can slide to where it is shorter or off
+  /// over a point; see `compute_prominences()`. NaN if it has not been computed.
+  double prominence() const { return m_data->prominence; }
+
+  /// the constriction that the curve slides to when it is made longer by its prominence, given by its place in the
+  /// sequence that this one was written to the output in; none if the curve slides off over a point, or to none of the
+  /// constrictions in that sequence
+  const std::optional<std::size_t>& dominated_by() const { return m_data->dominated_by; }
+
+  /// the shorter constrictions that the curve crosses, there and back, given by their places as above. Those of
+  /// negligible prominence, less than 0.01, are left out; and so are those that cross it an odd number of times, as a
+  /// meridian of a torus crosses an equator.
+  const std::vector<std::size_t>& crosses() const { return m_data->crosses; }
+
+  /// all of the above
+  const Data& data() const { return *m_data; }
 
   /// writes the points of the curve, in the order of `locations()`, to `out`.
   ///

@@ -11,7 +11,7 @@ namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// What became of the seed curves. Every seed ends in exactly one of `degenerate`, `not_simple`, `not_certified`,
-/// `merged` or as the first seed of a returned curve.
+/// `merged`, `not_selected` or as the first seed of a returned curve.
 struct Detection_statistics
 {
   std::size_t collapses = 0;    ///< edge collapses of the simplification
@@ -19,6 +19,7 @@ struct Detection_statistics
   std::size_t degenerate = 0;   ///< seeds that shortened to a point
   std::size_t not_simple = 0;   ///< seeds that ended in a curve that crosses or touches itself
   std::size_t merged = 0;       ///< seeds that ended in a curve that another seed had found
+  std::size_t not_selected = 0; ///< distinct closed geodesics that were found and are not returned
   std::size_t leaky_bands = 0;  ///< times a curve slipped out of a flat band that leaks, and went on shortening
   std::size_t not_certified = 0; ///< seeds that ended in a curve that could not be proved to be a constriction
   std::size_t corrected = 0;    ///< curves whose combinatorics rounding had got wrong, put right by exact arithmetic
@@ -27,7 +28,7 @@ struct Detection_statistics
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The stages of `detect_constrictions()`, in order.
-enum class Detection_stage { SIMPLIFICATION, REFINEMENT, TIGHTENING, CERTIFICATION };
+enum class Detection_stage { SIMPLIFICATION, REFINEMENT, TIGHTENING, CERTIFICATION, SELECTION };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Visitor of `detect_constrictions()` whose callbacks do nothing: derive from it and hide what you need.

@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
@@ -15,9 +17,10 @@
 #include <CGAL/Surface_mesh_constrictions/internal/coincidence.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify.h>
-#include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -120,27 +123,46 @@ void certify_found(Curve_network& network, Exact_settler& settler, double unit, 
   found.swap(certified);
 }
 
-// Builds the progressive mesh from a record and finds the seeds that are asked for.
-inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detection detection, bool first_only,
-                                      Progressive_mesh& pm)
+// Builds the progressive mesh from a record and calls the seed source at every level, or as far as the first seed.
+template <class SeedSource>
+std::vector<Seed_curve> replay(const Collapse_record& record, const SeedSource& source, bool first_only,
+                               Progressive_mesh& pm)
 {
+  Seed_level level = {0, record.collapses.size(), null_index, &record.refused_seeds};
+  for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+    level.vertices += pm.is_vertex(v);
   std::vector<Seed_curve> seeds;
-  if(detection == Seed_detection::ON_APPEARANCE)
-    non_face_triangles(pm, std::back_inserter(seeds));
-  else
-    seeds = record.refused_seeds;
+  source(pm, level, std::back_inserter(seeds));
   pm.reserve(record.collapses.size());
   for(const Edge_collapse& c : record.collapses)
   {
-    if(first_only && !seeds.empty() && seeds.front().level == pm.level())
+    if(first_only && !seeds.empty())
       break;
     pm.append_collapse(c);
-    if(detection == Seed_detection::ON_APPEARANCE)
-      non_face_triangles_at_vertex(pm, c.kept, std::back_inserter(seeds));
+    --level.vertices;
+    level.merged = c.kept;
+    source(pm, level, std::back_inserter(seeds));
   }
   if(first_only && seeds.size() > 1)
     seeds.resize(1);
   return seeds;
+}
+
+// The seeds of the source that the named parameters ask for.
+template <class NamedParameters>
+std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedParameters& np, bool first_only,
+                                   Progressive_mesh& pm)
+{
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::seed_sources_t>::value)
+    return replay(record, get_parameter(np, internal_np::seed_sources), first_only, pm);
+  else if constexpr(!is_default_parameter<NamedParameters, internal_np::seed_detection_t>::value)
+    return get_parameter(np, internal_np::seed_detection) == Seed_detection::ON_APPEARANCE
+               ? replay(record, Non_face_triangle_seeds(), first_only, pm)
+               : replay(record, Refused_collapse_seeds(), first_only, pm);
+  else
+    return replay(record, Non_face_triangle_seeds(), first_only, pm);
 }
 
 } // namespace internal
@@ -150,9 +172,10 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///
 /// The mesh is copied and the copy simplified by edge collapses; seed curves are noticed on the way; the collapses are
 /// undone one by one and the curves carried along; on the input mesh they are tightened until they are closed
-/// geodesics. Degenerate curves are dropped and equal ones merged. This is the method of Hetroy and Attali, *Detection
-/// of constrictions on closed polyhedral surfaces* (2003). The function is the composition of the package's stages;
-/// see the user manual.
+/// geodesics. Degenerate curves are dropped and equal ones merged. Of the closed geodesics that are left those are
+/// selected that a person would call necks, each once: see `select_constrictions()`. This is the method of Hetroy and
+/// Attali, *Detection of constrictions on closed polyhedral surfaces* (2003). The function is the composition of the
+/// package's stages; see the user manual.
 ///
 /// The same input gives the same output. `tm` is not changed.
 ///
@@ -162,7 +185,7 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///
 /// \param tm a closed triangle mesh, any genus, any number of connected components. Faces of area zero and isolated
 ///        vertices are allowed, edges of length zero are not.
-/// \param out the constrictions, shortest first
+/// \param out the selected constrictions, the most prominent first
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -187,15 +210,23 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///     \cgalParamType{a model of `GetPlacement` for edge profiles of `Simplification_mesh`}
 ///     \cgalParamDefault{`GarlandHeckbert_plane_policies`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{seed_sources}
+///     \cgalParamDescription{where the seed curves come from}
+///     \cgalParamType{a seed source, see `Non_face_triangle_seeds`; several are one, `Seed_sources`}
+///     \cgalParamDefault{`Non_face_triangle_seeds`; `Thorough_seed_sources` find more}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{seed_detection}
-///     \cgalParamDescription{when a non-face triangle is noticed}
+///     \cgalParamDescription{asks for non-face triangles only, as in the paper, and when they are noticed; not looked at
+///                           if `seed_sources` is given}
 ///     \cgalParamType{`Seed_detection`}
-///     \cgalParamDefault{`Seed_detection::ON_APPEARANCE`}
+///     \cgalParamDefault{unset}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tightening_schedule}
-///     \cgalParamDescription{whether curves are tightened at every level or on the input only}
+///     \cgalParamDescription{how curves are carried to the input and where they are tightened. With other schedules
+///                           than `UNSTRAIGHTENED` the cost grows faster than the number of seeds.}
 ///     \cgalParamType{`Tightening_schedule`}
-///     \cgalParamDefault{`Tightening_schedule::AT_THE_END`}
+///     \cgalParamDefault{`Tightening_schedule::UNSTRAIGHTENED` if `seed_sources` is given, else
+///                       `Tightening_schedule::AT_THE_END`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has led
@@ -209,6 +240,32 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_prominence}
+///     \cgalParamDescription{the prominence that a selected constriction has at least}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0.05}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_isoperimetric_ratio}
+///     \cgalParamDescription{the ratio \f$L^2/(4 \pi A)\f$ that a selected constriction has at most, if it separates}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0.25}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_constrictions}
+///     \cgalParamDescription{how many constrictions are selected at most}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{no limit}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{crossing_constrictions}
+///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{all_constrictions}
+///     \cgalParamDescription{whether to select every distinct closed geodesic that was found. A user who keeps them all
+///                           can select again at no cost: see `select_by_prominence()`.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{notified of the progress and of what became of the seeds}
 ///     \cgalParamType{a class like `Detection_visitor_base`; it is copied}
@@ -216,15 +273,18 @@ inline std::vector<Seed_curve> replay(const Collapse_record& record, Seed_detect
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// The last four before `visitor` are functions of `CGAL::Surface_mesh_constrictions::parameters`. CGAL's list of names
-/// that can be chained is closed, so they start a chain, `tightening_schedule(t).visitor(v)`, or take one as their second
-/// argument, `tightening_schedule(t, CGAL::parameters::visitor(v))`.
+/// Those from `seed_detection` to `all_constrictions` are functions of
+/// `CGAL::Surface_mesh_constrictions::parameters`. CGAL's list of names that can be chained is closed, so they start
+/// a chain, `tightening_schedule(t).visitor(v)`, or take one as their second argument, `tightening_schedule(t,
+/// CGAL::parameters::visitor(v))`.
 ///
 /// \throws Invalid_input for a mesh that cannot be used; it says what is wrong and where
 /// \cost that of the simplification, O(n log n) for n faces, plus O(n), plus for each curve and each vertex split whose
-///       star it passes through, linear in the lengths of the strips between the nearest pivots
+///       star it passes through, linear in the lengths of the strips between the nearest pivots, plus that of
+///       `compute_prominences()`
 ///
 /// \sa `tighten_closed_curve()`
+/// \sa `select_constrictions()`
 template <class TriangleMesh, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
@@ -237,10 +297,14 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
                                     get_const_property_map(CGAL::vertex_point, tm));
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Detection_visitor_base());
-  const Seed_detection detection = choose_parameter(get_parameter(np, internal_np::seed_detection),
-                                                    Seed_detection::ON_APPEARANCE);
+  const bool has_sources = !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_sources_t>::value;
+  const bool with_refused_seeds =
+      choose_parameter(get_parameter(np, internal_np::seed_detection), Seed_detection::ON_APPEARANCE) ==
+          Seed_detection::ON_REFUSED_COLLAPSE ||
+      has_sources;
   const Tightening_schedule schedule = choose_parameter(get_parameter(np, internal_np::tightening_schedule),
-                                                        Tightening_schedule::AT_THE_END);
+                                                        has_sources ? Tightening_schedule::UNSTRAIGHTENED
+                                                                    : Tightening_schedule::AT_THE_END);
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
   const bool first_only = choose_parameter(get_parameter(np, internal_np::first_constriction_only), false);
 
@@ -250,19 +314,21 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   const std::size_t expected_collapses = imported.points.size();
 
   visitor.on_stage_begin(Detection_stage::SIMPLIFICATION, expected_collapses);
-  const Collapse_record record =
-      internal::simplify(imported, detection == Seed_detection::ON_REFUSED_COLLAPSE, first_only, visitor, np);
+  const Collapse_record record = internal::simplify(imported, with_refused_seeds, first_only, visitor, np);
   visitor.on_stage_end(Detection_stage::SIMPLIFICATION);
 
   Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
-  const std::vector<Seed_curve> seeds = internal::replay(record, detection, first_only, pm);
+  const std::vector<Seed_curve> seeds = internal::find_seeds(record, np, first_only, pm);
   statistics.collapses = record.collapses.size();
   statistics.seeds = seeds.size();
 
   visitor.on_stage_begin(Detection_stage::REFINEMENT, pm.number_of_collapses());
   std::vector<Refined_curve> refined;
   internal::Refinement_progress<decltype(visitor)> progress(visitor, pm.number_of_collapses());
-  refine_seed_curves(pm, seeds, schedule, std::back_inserter(refined), progress);
+  if(schedule == Tightening_schedule::UNSTRAIGHTENED)
+    carry_seed_curves(pm, seeds, Carrying_parameters(), std::back_inserter(refined), progress);
+  else
+    refine_seed_curves(pm, seeds, schedule, std::back_inserter(refined), progress);
   visitor.on_stage_end(Detection_stage::REFINEMENT);
 
   visitor.on_stage_begin(Detection_stage::TIGHTENING, refined.size());
@@ -301,7 +367,8 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   internal::merge_coinciding(network, found);
 
   internal::Constriction_maker<TriangleMesh> maker(imported, pm);
-  std::vector<Constriction<TriangleMesh> > constrictions;
+  std::vector<Constriction<TriangleMesh> > constrictions, selected;
+  std::vector<std::vector<internal::Trace_point> > traces;
   for(const internal::Found_curve& f : found)
   {
     std::vector<Seed_curve> its_seeds;
@@ -310,11 +377,18 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
         its_seeds.push_back(seeds[s]);
     statistics.merged += its_seeds.size() - 1;
     constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width, f.certificate));
+    traces.push_back(internal::trace(pm, internal::arcs_of_curve(network, f.curve)));
   }
   visitor.on_stage_end(Detection_stage::CERTIFICATION);
 
+  visitor.on_stage_begin(Detection_stage::SELECTION, constrictions.size());
+  internal::set_prominences(pm, traces, constrictions);
+  select_by_prominence(constrictions, std::back_inserter(selected), np);
+  statistics.not_selected = constrictions.size() - selected.size();
+  visitor.on_stage_end(Detection_stage::SELECTION);
+
   visitor.on_end(statistics);
-  return std::move(constrictions.begin(), constrictions.end(), out);
+  return std::move(selected.begin(), selected.end(), out);
 }
 
 } // namespace Surface_mesh_constrictions

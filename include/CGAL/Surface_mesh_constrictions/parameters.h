@@ -19,8 +19,9 @@ enum class Seed_detection
 /// When a curve that is carried through the levels is tightened.
 enum class Tightening_schedule
 {
-  EVERY_LEVEL, ///< after every vertex split that touches it, and on the input
-  AT_THE_END   ///< on the input only
+  EVERY_LEVEL,   ///< after every vertex split that touches it, and on the input
+  AT_THE_END,    ///< on the input only; between its pivots it is straightened after every vertex split that touches it
+  UNSTRAIGHTENED ///< carried as a path of edges as far as `carry_seed_curves()` tells, and tightened there and on the input
 };
 
 } // namespace Surface_mesh_constrictions
@@ -29,8 +30,14 @@ namespace internal_np {
 
 enum seed_detection_t { seed_detection };
 enum tightening_schedule_t { tightening_schedule };
+enum seed_sources_t { seed_sources };
 enum first_constriction_only_t { first_constriction_only };
 enum certify_t { certify };
+enum minimum_prominence_t { minimum_prominence };
+enum maximum_isoperimetric_ratio_t { maximum_isoperimetric_ratio };
+enum maximum_number_of_constrictions_t { maximum_number_of_constrictions };
+enum crossing_constrictions_t { crossing_constrictions };
+enum all_constrictions_t { all_constrictions };
 
 } // namespace internal_np
 
@@ -53,9 +60,15 @@ namespace Surface_mesh_constrictions {
 namespace parameters {
 
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_detection)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_sources)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(tightening_schedule)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(first_constriction_only)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certify)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_prominence)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_isoperimetric_ratio)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_constrictions)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(crossing_constrictions)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(all_constrictions)
 
 } // namespace parameters
 } // namespace Surface_mesh_constrictions

@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -49,7 +51,7 @@ struct Refinement_visitor_base
 /// \param pm the surface; at level 0 afterwards
 /// \param seeds the seeds, on any levels, in any order
 /// \param schedule whether the changed part of a curve is tightened at every level. A curve that shortens to a point on
-///        a level is given up there.
+///        a level is given up there. Not `UNSTRAIGHTENED`: see `carry_seed_curves()`.
 /// \param out an output iterator that takes `Refined_curve`
 /// \param visitor see `Refinement_visitor_base`
 /// \cost O(degree) for each level, plus what is touched: for each curve through the star that is split, linear in the
@@ -58,6 +60,7 @@ template <class OutputIterator, class Visitor>
 OutputIterator refine_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,
                                   Tightening_schedule schedule, OutputIterator out, Visitor& visitor)
 {
+  CGAL_precondition(schedule != Tightening_schedule::UNSTRAIGHTENED);
   typedef internal::Curve_network Network;
   const bool every_level = schedule == Tightening_schedule::EVERY_LEVEL;
 

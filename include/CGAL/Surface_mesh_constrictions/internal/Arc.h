@@ -56,7 +56,7 @@ inline void measure(const Progressive_mesh& pm, Arc& arc)
     return;
   }
   Portal portal = portal_from_apex(pm, arc.crossings.front());
-  for(std::size_t i = 0;; ++i)
+  for(std::size_t i = 0; i < arc.crossings.size(); ++i)
   {
     const Vector2 apex = unfold_apex(pm, arc.crossings[i], portal);
     if(i + 1 == arc.crossings.size())
@@ -76,8 +76,10 @@ struct Side_angles
   double left, right;
 };
 
-// Side angles between the arc that arrives at a pivot and the one that leaves it. O(degree).
-inline Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing)
+// Side angles between the arc that arrives at a pivot and the one that leaves it. corner(h) is the angle at source(h) in
+// the face of h. O(degree).
+template <class Corner>
+Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing, const Corner& corner)
 {
   const Index out = start_halfedge(pm, outgoing), in = end_halfedge(pm, incoming);
   double total = 0, left = 0;
@@ -85,12 +87,17 @@ inline Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, 
   do {
     if(h == in)
       left = total + incoming.end_angle - outgoing.start_angle;
-    total += corner_angle(pm, h);
+    total += corner(h);
     h = pm.ccw(h);
   } while(h != out);
   if(left < 0) // by rounding, unless the arc that arrives lies clockwise of the one that leaves in the same face
     left = in == out ? left + total : 0;
   return {left, total - left};
+}
+
+inline Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing)
+{
+  return side_angles(pm, incoming, outgoing, [&pm](Index h) { return corner_angle(pm, h); });
 }
 
 enum class Turn { LEFT, RIGHT };

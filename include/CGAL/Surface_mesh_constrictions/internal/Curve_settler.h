@@ -52,7 +52,9 @@ class Curve_settler
 public:
   explicit Curve_settler(Curve_network& network)
     : m_network(network), m_tightener(network, Length_unit(network.surface()))
-  {}
+  {
+    m_tightener.fix_level();
+  }
 
   Tightening_verdict settle(Index c)
   {

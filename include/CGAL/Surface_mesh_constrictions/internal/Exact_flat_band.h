@@ -75,7 +75,7 @@ public:
         if(i != best)
           others.push_back(i);
       const std::vector<Proved_sign> signs =
-          m_prover.signs(others.size(), [this, best, &others](const auto& arithmetic, auto& values) {
+          m_prover.signs(others.size(), [&](const auto& arithmetic, auto& values) {
             const auto strip = unfold_turn(arithmetic);
             const auto turn = strip.portals.back().right - strip.portals.front().right;
             for(std::size_t i = 0; i < others.size(); ++i)

@@ -107,7 +107,7 @@ private:
   };
 
   // Whether the two strands through the pivot where arcs i and j start cross there: whether the rays of one separate
-  // those of the other. POSITIVE, NEGATIVE or UNPROVED.
+  // those of the other. POSITIVE, NEGATIVE or UNPROVED; strands that run along each other do not cross there.
   Proved_sign is_crossed_at_pivot(std::size_t i, std::size_t j)
   {
     const std::size_t n = m_arcs.size();
@@ -133,6 +133,8 @@ private:
             const Proved_sign turn = turn_between(rays[r], rays[*place]);
             if(turn == Proved_sign::UNPROVED)
               return turn;
+            if(turn == Proved_sign::ZERO)
+              return Proved_sign::NEGATIVE; // they run along each other
             if(turn == Proved_sign::POSITIVE)
               break;
           }

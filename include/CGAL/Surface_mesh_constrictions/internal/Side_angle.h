@@ -87,7 +87,7 @@ public:
     if(m_first == m_last)
     {
       // both arcs in one face, or along its edge
-      const Proved_sign inside = m_prover.sign([this](const auto& arithmetic, auto& value) {
+      const Proved_sign inside = m_prover.sign([&](const auto& arithmetic, auto& value) {
         value[0] = determinant(first_direction(arithmetic), last_direction(arithmetic));
       });
       if(inside == Proved_sign::UNPROVED)
@@ -97,7 +97,7 @@ public:
         return Proved_sign::NEGATIVE; // no more than a corner of a face
     }
     Angle_sum sum = Angle_sum::UNKNOWN;
-    m_prover.decide_by_intervals([this, &sum](const auto& arithmetic) {
+    m_prover.decide_by_intervals([&](const auto& arithmetic) {
       sum = compare_angle_sum(arithmetic, angles(arithmetic));
       return sum != Angle_sum::UNKNOWN;
     });
@@ -147,7 +147,7 @@ private:
   // For a sum around pi: minus its sine.
   Proved_sign sign_around_pi()
   {
-    return m_prover.sign([this](const auto& arithmetic, auto& value) {
+    return m_prover.sign([&](const auto& arithmetic, auto& value) {
       Planar<typename std::decay_t<decltype(arithmetic)>::NT> product(arithmetic.number(-1), arithmetic.number(0));
       for(const auto& angle : angles(arithmetic))
         product = product * angle;

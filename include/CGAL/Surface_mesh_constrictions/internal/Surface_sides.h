@@ -257,7 +257,7 @@ private:
     const Vector3 o = vector(Progressive_mesh::Point(0, 0, 0), m_pm.point(m_pm.source(3 * f)));
     const Vector3 n = normal(f);
     const double l = norm(n);
-    return l == 0 ? 0 : dot(cross(boundary_position(f, from) - o, boundary_position(f, to) - o), n) / (2 * l);
+    return l == 0 ? 0 : dot(cross(boundary_position(m_pm, f, from) - o, boundary_position(m_pm, f, to) - o), n) / (2 * l);
   }
 
   double area_under_boundary(Index f, double from, double to) const
@@ -269,12 +269,6 @@ private:
       at = corner;
     }
     return sum + moment(f, at, to);
-  }
-
-  Vector3 boundary_position(Index f, double place) const
-  {
-    const double corner = std::floor(place);
-    return position(m_pm, Trace_point{null_index, 3 * f + static_cast<Index>(corner) % 3, place - corner});
   }
 
   const Progressive_mesh& m_pm;

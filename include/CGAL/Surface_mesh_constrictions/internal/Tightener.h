@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -74,11 +75,17 @@ public:
 
   String_puller& puller() { return m_puller; }
 
+  // Keeps the angles of the surface's corners once they are computed. The surface must stay at its level from now on.
+  void fix_level()
+  {
+    m_corners.assign(m_network.surface().number_of_halfedge_ids(), (std::numeric_limits<double>::quiet_NaN)());
+  }
+
   // Notes the pivot at which an arc starts, if one of its side angles is below pi. The arcs at it must be in place.
   void enqueue(Index arc)
   {
-    const Side_angles angles =
-        side_angles(m_network.surface(), m_network.arc(m_network.previous(arc)), m_network.arc(arc));
+    const Side_angles angles = side_angles(m_network.surface(), m_network.arc(m_network.previous(arc)),
+                                           m_network.arc(arc), [this](Index h) { return corner(h); });
     const Index stamp = m_network.renew_stamp(arc);
     if((std::min)(angles.left, angles.right) < CGAL_PI - angle_tolerance)
       m_queue.push(Entry{angles, arc, stamp});
@@ -119,6 +126,15 @@ private:
       return a.sharpness() != b.sharpness() ? a.sharpness() > b.sharpness() : a.arc > b.arc;
     }
   };
+
+  double corner(Index h)
+  {
+    if(m_corners.empty())
+      return corner_angle(m_network.surface(), h);
+    if(std::isnan(m_corners[h]))
+      m_corners[h] = corner_angle(m_network.surface(), h);
+    return m_corners[h];
+  }
 
   // Leads the curve around the given side of the pivot where `arc` starts, if that shortens it.
   bool reroute(Index arc, Turn side)
@@ -187,6 +203,7 @@ private:
   Length_unit m_unit;
   String_puller m_puller;
   std::priority_queue<Entry> m_queue;
+  std::vector<double> m_corners; // angles by halfedge, NaN where not computed yet; empty if the level may change
   Strip m_strip;
   std::vector<Arc> m_arcs;
 };

@@ -58,12 +58,17 @@ inline std::vector<Trace_point> trace(const Progressive_mesh& pm, const std::vec
   return result;
 }
 
+inline Vector3 position(const Progressive_mesh& pm, Index v)
+{
+  return vector(Progressive_mesh::Point(0, 0, 0), pm.point(v));
+}
+
 inline Vector3 position(const Progressive_mesh& pm, const Trace_point& p)
 {
   if(p.is_pivot())
-    return vector(Progressive_mesh::Point(0, 0, 0), pm.point(p.pivot));
-  const Vector3 a = vector(Progressive_mesh::Point(0, 0, 0), pm.point(pm.source(p.halfedge)));
-  return a + p.parameter * vector(pm.point(pm.source(p.halfedge)), pm.point(pm.target(p.halfedge)));
+    return position(pm, p.pivot);
+  const Index u = pm.source(p.halfedge), v = pm.target(p.halfedge);
+  return position(pm, u) + p.parameter * vector(pm.point(u), pm.point(v));
 }
 
 // A straight piece of a curve inside a face. `entry` and `exit` are places on the face's boundary, counted
@@ -85,6 +90,12 @@ inline double place_on_boundary(const Progressive_mesh& pm, Index face, const Tr
       return i + (1 - p.parameter);
   }
   return 0; // not reached: the point is on the face
+}
+
+inline Vector3 boundary_position(const Progressive_mesh& pm, Index face, double place)
+{
+  const double corner = std::floor(place);
+  return position(pm, Trace_point{null_index, 3 * face + static_cast<Index>(corner) % 3, place - corner});
 }
 
 // The pieces of a closed curve that cross the inside of faces, in order; pieces along edges are left out.

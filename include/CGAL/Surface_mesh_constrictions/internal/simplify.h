@@ -80,9 +80,11 @@ Collapse_record simplify(const ImportedMesh& imported, bool with_refused_seeds, 
 
   typedef SMS::GarlandHeckbert_plane_policies<Simplification_mesh, Exact_predicates_inexact_constructions_kernel>
       Default_policies;
-  constexpr bool default_cost = parameters::is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value;
+  // in full: this package has a namespace `parameters` too
+  constexpr bool default_cost =
+      CGAL::parameters::is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value;
   constexpr bool default_placement =
-      parameters::is_default_parameter<NamedParameters, internal_np::get_placement_policy_t>::value;
+      CGAL::parameters::is_default_parameter<NamedParameters, internal_np::get_placement_policy_t>::value;
   static_assert(default_cost == default_placement, "get_cost and get_placement have to be given together");
   if constexpr(default_cost)
   {

@@ -24,7 +24,7 @@ struct Vector2
 
 inline double dot(Vector2 a, Vector2 b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Vector2 a, Vector2 b) { return a.x * b.y - a.y * b.x; }
-inline double norm(Vector2 a) { return std::hypot(a.x, a.y); }
+inline double norm(Vector2 a) { return std::sqrt(dot(a, a)); }
 
 // Angle from a to b, counterclockwise positive, in (-pi, pi].
 inline double angle(Vector2 a, Vector2 b) { return std::atan2(cross(a, b), dot(a, b)); }

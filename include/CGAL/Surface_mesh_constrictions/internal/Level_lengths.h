@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_LEVEL_LENGTHS_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_LEVEL_LENGTHS_H
+
+#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// The levels of a distance at which level sets are measured: `per_unit` of them on the first stretch of one unit, and as
+// many on each further factor of e, so that their number stays small however far a sweep goes.
+class Level_scale
+{
+public:
+  explicit Level_scale(double unit) : m_unit(unit) {}
+
+  double level(std::size_t k) const
+  {
+    const double t = static_cast<double>(k) / per_unit;
+    return t <= 1 ? m_unit * t : m_unit * std::exp(t - 1);
+  }
+
+  // the first level above a distance
+  std::size_t first_above(double distance) const
+  {
+    const double t = distance / m_unit;
+    std::size_t k = static_cast<std::size_t>(std::floor(per_unit * (t <= 1 ? t : 1 + std::log(t))));
+    while(level(k) <= distance)
+      ++k;
+    while(k > 0 && level(k - 1) > distance)
+      --k;
+    return k;
+  }
+
+private:
+  static constexpr double per_unit = 256;
+
+  double m_unit;
+};
+
+// Lengths of the level sets of a piecewise linear function, by the class that each triangle is in.
+class Level_lengths
+{
+public:
+  typedef std::array<std::pair<Vector3, double>, 3> Triangle; // corners with their values
+
+  void clear() { m_lengths.clear(); }
+
+  std::size_t number_of_classes() const { return m_lengths.size(); }
+
+  double length(std::size_t c, std::size_t level) const
+  {
+    return level < m_lengths[c].size() ? m_lengths[c][level] : 0;
+  }
+
+  // Constant but for the number of levels that the triangle spans.
+  void add(const Level_scale& scale, Triangle t, std::size_t c)
+  {
+    const auto sort2 = [&](std::size_t i, std::size_t j) {
+      if(t[j].second < t[i].second)
+        std::swap(t[i], t[j]);
+    };
+    sort2(0, 1);
+    sort2(1, 2);
+    sort2(0, 1);
+    const double low = t[0].second, middle = t[1].second, high = t[2].second;
+    const std::size_t begin = scale.first_above(low);
+    if(high < scale.level(begin))
+      return;
+    const Vector3 opposite = t[0].first + ((middle - low) / (high - low)) * (t[2].first - t[0].first);
+    const double longest = norm(t[1].first - opposite);
+    if(m_lengths.size() <= c)
+      m_lengths.resize(c + 1);
+    std::vector<double>& lengths = m_lengths[c];
+    for(std::size_t k = begin;; ++k)
+    {
+      const double d = scale.level(k);
+      if(d > high)
+        return;
+      if(lengths.size() <= k)
+        lengths.resize(k + 1, 0);
+      lengths[k] += longest * (d < middle ? (d - low) / (middle - low)
+                               : high > middle ? (high - d) / (high - middle)
+                                               : 1);
+    }
+  }
+
+private:
+  std::vector<std::vector<double> > m_lengths; // of a class, of a level
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_LEVEL_LENGTHS_H

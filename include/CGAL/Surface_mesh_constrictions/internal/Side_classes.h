@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIDE_CLASSES_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIDE_CLASSES_H
+
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Numbers sets of curves. Two places of a surface are in the same class if they lie on the same side of each curve; a
+// class is given by the curves that lie between it and class 0.
+class Side_classes
+{
+public:
+  Side_classes() { restart(); }
+
+  void restart()
+  {
+    m_numbers.clear();
+    m_sets.assign(1, {});
+    m_numbers.emplace(m_sets[0], 0);
+  }
+
+  std::size_t size() const { return m_sets.size(); }
+
+  const std::vector<Index>& curves(Index c) const { return m_sets[c]; }
+
+  bool is_beyond(Index c, Index curve) const
+  {
+    return std::binary_search(m_sets[c].begin(), m_sets[c].end(), curve);
+  }
+
+  // The curves that lie between some of these classes.
+  std::vector<Index> curves_between(const std::vector<Index>& classes) const
+  {
+    std::vector<Index> any, all, result;
+    for(Index c : classes)
+    {
+      std::vector<Index> u, i;
+      std::set_union(any.begin(), any.end(), m_sets[c].begin(), m_sets[c].end(), std::back_inserter(u));
+      std::set_intersection(all.begin(), all.end(), m_sets[c].begin(), m_sets[c].end(), std::back_inserter(i));
+      any.swap(u);
+      all = c == classes.front() ? m_sets[c] : i;
+    }
+    std::set_difference(any.begin(), any.end(), all.begin(), all.end(), std::back_inserter(result));
+    return result;
+  }
+
+  // The class on the other side of these curves, in ascending order. Constant if there are none.
+  Index across(Index c, const std::vector<Index>& curves)
+  {
+    if(curves.empty())
+      return c;
+    std::vector<Index> set;
+    std::set_symmetric_difference(m_sets[c].begin(), m_sets[c].end(), curves.begin(), curves.end(),
+                                  std::back_inserter(set));
+    const auto inserted = m_numbers.emplace(std::move(set), static_cast<Index>(m_sets.size()));
+    if(inserted.second)
+      m_sets.push_back(inserted.first->first);
+    return inserted.first->second;
+  }
+
+private:
+  std::map<std::vector<Index>, Index> m_numbers;
+  std::vector<std::vector<Index> > m_sets;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIDE_CLASSES_H

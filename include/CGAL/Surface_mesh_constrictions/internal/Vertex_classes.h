@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_VERTEX_CLASSES_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_VERTEX_CLASSES_H
+
+#include <CGAL/Surface_mesh_constrictions/internal/Side_classes.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// The classes of vertices with respect to some curves. Restarted in constant time.
+class Vertex_classes
+{
+public:
+  explicit Vertex_classes(std::size_t number_of_vertices)
+    : m_class(number_of_vertices), m_sweep_of(number_of_vertices, 0)
+  {}
+
+  void restart()
+  {
+    ++m_sweep;
+    m_classes.restart();
+    m_inconsistent.clear();
+  }
+
+  const Side_classes& classes() const { return m_classes; }
+
+  bool has(Index v) const { return m_sweep_of[v] == m_sweep; }
+  Index operator[](Index v) const { return m_class[v]; }
+
+  void set(Index v, Index c)
+  {
+    if(has(v))
+      compare(m_class[v], c);
+    m_class[v] = c;
+    m_sweep_of[v] = m_sweep;
+  }
+
+  // Sets the class of a vertex that these curves part from another one.
+  void set_across(Index v, Index other, const std::vector<Index>& curves)
+  {
+    set(v, m_classes.across(m_class[other], curves));
+  }
+
+  // Checks whether these curves, and no others, part two vertices.
+  void check_across(Index v, Index other, const std::vector<Index>& curves)
+  {
+    if(m_class[v] != m_class[other] || !curves.empty())
+      compare(m_class[v], m_classes.across(m_class[other], curves));
+  }
+
+  // whether all ways to the same vertex were found to cross a curve equally often, but for a multiple of two
+  bool is_consistent(Index curve) const
+  {
+    return !std::binary_search(m_inconsistent.begin(), m_inconsistent.end(), curve);
+  }
+
+private:
+  void compare(Index c, Index d)
+  {
+    if(c == d)
+      return;
+    std::vector<Index> wrong, all;
+    std::set_symmetric_difference(m_classes.curves(c).begin(), m_classes.curves(c).end(), m_classes.curves(d).begin(),
+                                  m_classes.curves(d).end(), std::back_inserter(wrong));
+    std::set_union(m_inconsistent.begin(), m_inconsistent.end(), wrong.begin(), wrong.end(), std::back_inserter(all));
+    m_inconsistent.swap(all);
+  }
+
+  Side_classes m_classes;
+  std::vector<Index> m_class;    // of a vertex
+  std::vector<Index> m_sweep_of; // the sweep that this was in
+  std::vector<Index> m_inconsistent; // curves, ascending
+  Index m_sweep = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_VERTEX_CLASSES_H

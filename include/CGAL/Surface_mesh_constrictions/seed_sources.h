@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_SEED_SOURCES_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_SEED_SOURCES_H
+
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
+#include <CGAL/Surface_mesh_constrictions/section_seeds.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// What a seed source is told about the level that it is called for.
+struct Seed_level
+{
+  std::size_t vertices;                         ///< number of vertices of the current surface that are not isolated
+  std::size_t number_of_collapses;              ///< the level of the coarsest surface
+  Index merged;                                 ///< the vertex that the last collapse kept; `null_index` on T^0
+  const std::vector<Seed_curve>* refused_seeds; ///< as recorded during the simplification, sorted by level
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Seed sources.
+///
+/// A seed source is a copyable type with the member
+///
+/// \code
+/// template <class OutputIterator>
+/// OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const;
+/// \endcode
+///
+/// which is called once for each surface T^0, T^1, ... T^n, from the finest to the coarsest, with `pm` at that level, and
+/// writes the seeds that it finds there: `Seed_curve`s that are closed paths of edges of the current surface, with
+/// `level` the current level. Nothing that uses the seeds asks where they come from.
+///
+/// `Non_face_triangle_seeds` writes the non-face triangles when they appear (Section 4.1 of the paper).
+///
+/// \cost quadratic in the degree of the merged vertex for each level
+struct Non_face_triangle_seeds
+{
+  template <class OutputIterator>
+  OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
+  {
+    return level.merged == null_index ? non_face_triangles(pm, out) : non_face_triangles_at_vertex(pm, level.merged, out);
+  }
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Seed source that writes the non-face triangles for which the simplification refused a collapse (Sections 1 and 4.4
+/// of the paper).
+struct Refused_collapse_seeds
+{
+  template <class OutputIterator>
+  OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
+  {
+    const std::vector<Seed_curve>& seeds = *level.refused_seeds;
+    auto it = std::lower_bound(seeds.begin(), seeds.end(), pm.level(),
+                               [](const Seed_curve& s, std::size_t k) { return s.level < k; });
+    for(; it != seeds.end() && it->level == pm.level(); ++it)
+      *out++ = *it;
+    return out;
+  }
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Seed source that writes the seeds of another one whose vertices are all saddle points of their surface: the sum of
+/// the angles at each is greater than 2 pi (Section 5.2 of the paper).
+template <class SeedSource>
+class Saddle_seeds
+{
+public:
+  explicit Saddle_seeds(SeedSource source = SeedSource()) : m_source(std::move(source)) {}
+
+  template <class OutputIterator>
+  OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
+  {
+    std::vector<Seed_curve> seeds;
+    m_source(pm, level, std::back_inserter(seeds));
+    for(const Seed_curve& s : seeds)
+      if(std::all_of(s.vertices.begin(), s.vertices.end(), [&pm](Index v) { return is_saddle(pm, v); }))
+        *out++ = s;
+    return out;
+  }
+
+private:
+  static bool is_saddle(const Progressive_mesh& pm, Index v)
+  {
+    double total = 0;
+    const Index begin = pm.outgoing(v);
+    Index h = begin;
+    do {
+      total += internal::corner_angle(pm, h);
+      h = pm.ccw(h);
+    } while(h != begin);
+    return total > 2 * CGAL_PI;
+  }
+
+  SeedSource m_source;
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Seed source that writes given closed paths of edges of T^0. Vertices are numbered as they come in `vertices(tm)`.
+class Given_seeds
+{
+public:
+  explicit Given_seeds(std::vector<std::vector<Index> > loops) : m_loops(std::move(loops)) {}
+
+  template <class OutputIterator>
+  OutputIterator operator()(const Progressive_mesh& pm, const Seed_level&, OutputIterator out) const
+  {
+    if(pm.level() == 0)
+      for(const std::vector<Index>& loop : m_loops)
+        *out++ = Seed_curve{0, loop, Seed_origin::USER};
+    return out;
+  }
+
+private:
+  std::vector<std::vector<Index> > m_loops;
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Whether a surface is the first one, as they are simplified, that has no more than the given number of vertices, or
+/// the coarsest one if none has.
+inline bool is_level_with(const Progressive_mesh& pm, const Seed_level& level, std::size_t vertices)
+{
+  return level.vertices == vertices || (level.vertices < vertices && pm.level() == 0) ||
+         (level.vertices > vertices && pm.level() == level.number_of_collapses);
+}
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Seed source that writes `cut_locus_seeds()` of the surface with a given number of vertices.
+///
+/// \cost for each root O(n log n), for the given number n of vertices
+class Cut_locus_source
+{
+public:
+  explicit Cut_locus_source(std::size_t vertices = 1000, std::size_t max_roots = 334)
+    : m_vertices(vertices), m_max_roots(max_roots)
+  {}
+
+  template <class OutputIterator>
+  OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
+  {
+    return is_level_with(pm, level, m_vertices) ? cut_locus_seeds(pm, out, m_max_roots) : out;
+  }
+
+private:
+  std::size_t m_vertices, m_max_roots;
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Seed source that writes `plane_section_seeds()` and `distance_section_seeds()` of the surface with a given number of
+/// vertices.
+///
+/// \cost about 2,000 times linear in the given number of vertices
+class Section_source
+{
+public:
+  explicit Section_source(std::size_t vertices = 1000) : m_vertices(vertices) {}
+
+  template <class OutputIterator>
+  OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
+  {
+    return is_level_with(pm, level, m_vertices) ? distance_section_seeds(pm, plane_section_seeds(pm, out)) : out;
+  }
+
+private:
+  std::size_t m_vertices;
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Several seed sources as one: what each of them writes, in their order.
+template <class... SeedSource>
+class Seed_sources
+{
+public:
+  explicit Seed_sources(SeedSource... sources) : m_sources(std::move(sources)...) {}
+
+  template <class OutputIterator>
+  OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
+  {
+    std::apply([&](const SeedSource&... source) { ((out = source(pm, level, out)), ...); }, m_sources);
+    return out;
+  }
+
+private:
+  std::tuple<SeedSource...> m_sources;
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// The seed sources that together find most constrictions, chosen by the study in the user manual. They make several
+/// thousand seeds, which take several times as long as the simplification to tighten and to select from.
+struct Thorough_seed_sources
+  : public Seed_sources<Non_face_triangle_seeds, Cut_locus_source, Section_source>
+{
+  Thorough_seed_sources() : Seed_sources(Non_face_triangle_seeds(), Cut_locus_source(), Section_source()) {}
+};
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_SEED_SOURCES_H

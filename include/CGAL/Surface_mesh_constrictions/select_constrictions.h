@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_SELECT_CONSTRICTIONS_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_SELECT_CONSTRICTIONS_H
+
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// The prominence that a constriction has at least, to be selected by default.
+constexpr double default_minimum_prominence = 0.05;
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// The isoperimetric ratio that a separating constriction has at most, to be selected by default.
+constexpr double default_maximum_isoperimetric_ratio = 0.25;
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// selects constrictions by their prominence, which must be known: those that a person would call necks, each once, the
+/// most prominent first.
+///
+/// A constriction whose prominence is too small can slide, getting hardly longer, to where it is shorter; it is
+/// represented by the first selected one on the way along `Constriction::dominated_by()`. So all thresholds can be
+/// changed later, at the cost of sorting.
+///
+/// \tparam ConstrictionRange a range of `Constriction<TriangleMesh>`
+/// \tparam OutputIterator takes `Constriction<TriangleMesh>`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param constrictions as written by `compute_prominences()`, by this function, or by `detect_constrictions()`
+/// \param out the selected ones, the most prominent first, equally prominent ones in their former order.
+///        `Constriction::dominated_by()` is the place in this sequence of the representative of the one that it was.
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, which are
+///        functions of `CGAL::Surface_mesh_constrictions::parameters`
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{minimum_prominence}
+///     \cgalParamDescription{the prominence that a selected constriction has at least}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0.05}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_isoperimetric_ratio}
+///     \cgalParamDescription{the ratio \f$L^2/(4 \pi A)\f$ of length and smaller area that a selected constriction
+///                           has at most, if it separates. It is 1/2 for the equator of a sphere, and 1/4 for the rim
+///                           of a cylinder with a half sphere at its end that sticks out as far as it is wide.}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0.25}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_constrictions}
+///     \cgalParamDescription{how many constrictions are selected at most}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{no limit}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{crossing_constrictions}
+///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected,
+///                           there and back: see `Constriction::crosses()`}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{all_constrictions}
+///     \cgalParamDescription{whether to select all, whatever their prominence and isoperimetric ratio and whatever they cross}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \cost O(n log n) for n constrictions, plus the lengths of the ways along `Constriction::dominated_by()`
+template <class ConstrictionRange, class OutputIterator,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+OutputIterator select_by_prominence(const ConstrictionRange& constrictions, OutputIterator out,
+                                    const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef typename std::iterator_traits<decltype(constrictions.begin())>::value_type Result;
+
+  const double minimum_prominence =
+      choose_parameter(get_parameter(np, internal_np::minimum_prominence), default_minimum_prominence);
+  const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
+                                                default_maximum_isoperimetric_ratio);
+  const std::size_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number_of_constrictions),
+                                                      (std::numeric_limits<std::size_t>::max)());
+  const bool with_crossing = choose_parameter(get_parameter(np, internal_np::crossing_constrictions), false);
+  const bool all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
+
+  const std::vector<Result> given(constrictions.begin(), constrictions.end());
+  std::vector<std::size_t> order;
+  for(std::size_t i = 0; i < given.size(); ++i)
+    if(all || (given[i].prominence() >= minimum_prominence &&
+               (!given[i].is_separating() || given[i].isoperimetric_ratio() <= maximum_ratio)))
+      order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&given](std::size_t i, std::size_t j) {
+    return given[i].prominence() > given[j].prominence();
+  });
+
+  // the more prominent first, without those that cross one of them
+  std::vector<std::vector<std::size_t> > crossing(given.size());
+  if(!all && !with_crossing)
+    for(std::size_t i = 0; i < given.size(); ++i)
+      for(std::size_t j : given[i].crosses())
+      {
+        crossing[i].push_back(j);
+        crossing[j].push_back(i);
+      }
+  std::vector<std::size_t> selected;
+  std::vector<std::optional<std::size_t> > place(given.size());
+  for(std::size_t i : order)
+    if(selected.size() < maximum_number &&
+       std::none_of(crossing[i].begin(), crossing[i].end(), [&](std::size_t j) { return place[j].has_value(); }))
+    {
+      place[i] = selected.size();
+      selected.push_back(i);
+    }
+  for(std::size_t i : selected)
+  {
+    std::optional<std::size_t> dominating = given[i].dominated_by();
+    while(dominating && !place[*dominating])
+      dominating = given[*dominating].dominated_by();
+    typename Result::Data data = given[i].data();
+    data.dominated_by = dominating ? place[*dominating] : std::nullopt;
+    data.crosses.clear();
+    for(std::size_t j : given[i].crosses())
+      if(place[j])
+        data.crosses.push_back(*place[j]);
+    *out++ = Result(std::move(data));
+  }
+  return out;
+}
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// computes prominences and selects by them: `compute_prominences()` and then `select_by_prominence()`.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam ConstrictionRange a range of `Constriction<TriangleMesh>`
+/// \tparam OutputIterator takes `Constriction<TriangleMesh>`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tm a closed triangle mesh
+/// \param constrictions constrictions of `tm`, as computed on it with the same points
+/// \param out the selected ones, the most prominent first
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of the two functions
+///
+/// \throws Invalid_input for a mesh that cannot be used
+/// \cost that of `compute_prominences()`
+template <class TriangleMesh, class ConstrictionRange, class OutputIterator,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+OutputIterator select_constrictions(const TriangleMesh& tm, const ConstrictionRange& constrictions, OutputIterator out,
+                                    const NamedParameters& np = CGAL::parameters::default_values())
+{
+  std::vector<Constriction<TriangleMesh> > all;
+  compute_prominences(tm, constrictions, std::back_inserter(all), np);
+  return select_by_prominence(all, out, np);
+}
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_SELECT_CONSTRICTIONS_H

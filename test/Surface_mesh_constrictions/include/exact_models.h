@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef EXACT_MODELS_H
+#define EXACT_MODELS_H
+
+// Surfaces with integer coordinates whose constrictions are known in closed form, with points of any kernel.
+
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+namespace exact_models {
+
+using test_meshes::Position;
+using test_meshes::Soup;
+using test_meshes::Soup_builder;
+
+// Rings of the same number of points, joined one to the next by quadrilaterals, and closed by a fan at both ends.
+inline Soup tube(const std::vector<std::vector<Position> >& rings, bool is_twisted = false)
+{
+  Soup_builder b;
+  const std::size_t n = rings.front().size();
+  for(std::size_t r = 0; r + 1 < rings.size(); ++r)
+    for(std::size_t i = 0; i < n; ++i)
+      if(is_twisted && r % 2 == 1)
+        b.quad(rings[r][i], rings[r][(i + 1) % n], rings[r + 1][(i + 1) % n], rings[r + 1][i], true);
+      else
+        b.quad(rings[r][i], rings[r][(i + 1) % n], rings[r + 1][(i + 1) % n], rings[r + 1][i]);
+  for(std::size_t i = 1; i + 1 < n; ++i)
+  {
+    b.triangle(rings.front()[0], rings.front()[i + 1], rings.front()[i]);
+    b.triangle(rings.back()[0], rings.back()[i], rings.back()[i + 1]);
+  }
+  return b.soup;
+}
+
+// A ring of points (factor * x, factor * y, z).
+inline std::vector<Position> ring(const std::vector<std::array<int, 2> >& polygon, double factor, double z)
+{
+  std::vector<Position> result;
+  for(const auto& p : polygon)
+    result.push_back({{factor * p[0], factor * p[1], z}});
+  return result;
+}
+
+inline std::vector<std::array<int, 2> > square() { return {{{1, -1}}, {{1, 1}}, {{-1, 1}}, {{-1, -1}}}; }
+
+// A convex polygon with integer corners close to a circle.
+inline std::vector<std::array<int, 2> > polygon(int n)
+{
+  std::vector<std::array<int, 2> > result;
+  for(int i = 0; i < n; ++i)
+    result.push_back({{static_cast<int>(std::lround(1000 * std::cos(2 * CGAL_PI * i / n))),
+                       static_cast<int>(std::lround(1000 * std::sin(2 * CGAL_PI * i / n)))}});
+  return result;
+}
+
+// Two prisms joined by one of a third of their width: its sides are flat bands `height` wide that hold at both ends.
+inline Soup prism_chain(int n, double height)
+{
+  const auto p = polygon(n);
+  return tube({ring(p, 3, 0), ring(p, 3, 500), ring(p, 1, 500), ring(p, 1, 500 + height), ring(p, 3, 500 + height),
+               ring(p, 3, 1000 + height)});
+}
+
+// Two frusta joined at a square of side 2 a: a strict constriction of length 8 a.
+inline Soup waist(int a)
+{
+  return tube({ring(square(), 3 * a, 0), ring(square(), a, 5), ring(square(), 3 * a, 10)});
+}
+
+// Rings that are turned by 45 degrees from one to the next. The middle one, of length 8 sqrt(2), is a strict
+// constriction: at each of its points three corners add up to more than pi on either side.
+inline Soup twisted_cylinder()
+{
+  const std::vector<Position> wide = {{{2, -2, 0}}, {{2, 2, 0}}, {{-2, 2, 0}}, {{-2, -2, 0}}};
+  std::vector<Position> low = wide, high = wide;
+  for(Position& p : low)
+    p[2] = -3;
+  for(Position& p : high)
+    p[2] = 3;
+  const std::vector<Position> middle = {{{2, 0, 0}}, {{0, 2, 0}}, {{-2, 0, 0}}, {{0, -2, 0}}};
+  Soup_builder b;
+  for(std::size_t i = 0; i < 4; ++i)
+  {
+    const std::size_t j = (i + 1) % 4;
+    b.triangle(low[i], low[j], middle[i]);
+    b.triangle(low[j], middle[j], middle[i]);
+    b.triangle(middle[i], middle[j], high[j]);
+    b.triangle(high[i], middle[i], high[j]);
+  }
+  for(std::size_t i = 1; i < 3; ++i)
+  {
+    b.triangle(low[0], low[i + 1], low[i]);
+    b.triangle(high[0], high[i], high[i + 1]);
+  }
+  return b.soup;
+}
+
+// The closed path of edges through these vertices, in the order of vertices(mesh), as a curve.
+template <class Mesh>
+CGAL::Surface_mesh_constrictions::Constriction<Mesh> curve_of_loop(const Mesh& mesh,
+                                                                   const std::vector<std::size_t>& loop)
+{
+  typedef CGAL::Surface_mesh_constrictions::Constriction<Mesh> Constriction;
+  const std::vector<typename Constriction::vertex_descriptor> all(vertices(mesh).begin(), vertices(mesh).end());
+  typename Constriction::Data data;
+  for(std::size_t v : loop)
+    data.locations.push_back({true, all[v], typename Constriction::halfedge_descriptor(), 0});
+  return Constriction(data);
+}
+
+// Numbers of the vertices of a soup at the given positions.
+inline std::vector<std::size_t> vertices_at(const Soup& soup, const std::vector<Position>& positions)
+{
+  std::vector<std::size_t> result;
+  for(const Position& p : positions)
+    result.push_back(static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), p) -
+                                              soup.points.begin()));
+  return result;
+}
+
+template <class Mesh>
+CGAL::Surface_mesh_constrictions::Certificate certify_loop(const Soup& soup, const std::vector<Position>& loop)
+{
+  const Mesh mesh = test_meshes::make_graph<Mesh>(soup);
+  return CGAL::Surface_mesh_constrictions::certify_constriction(mesh, curve_of_loop(mesh, vertices_at(soup, loop)));
+}
+
+// Moves all points by a rational rotation, from an integer quaternion, and a scaling; exact if FT is.
+template <class Mesh>
+void rotate(Mesh& mesh, std::mt19937& random, double scale)
+{
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  typedef typename boost::property_traits<decltype(vpm)>::value_type Point;
+  typedef typename CGAL::Kernel_traits<Point>::Kernel::FT FT;
+  std::uniform_int_distribution<int> integer(-9, 9);
+  int q[4];
+  do {
+    for(int& x : q)
+      x = integer(random);
+  } while(q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0);
+  const int a = q[0], b = q[1], c = q[2], d = q[3], n = a * a + b * b + c * c + d * d;
+  const int m[3][3] = {{a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
+                       {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
+                       {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d}};
+  for(auto v : vertices(mesh))
+  {
+    const Point p = get(vpm, v);
+    FT r[3];
+    for(int i = 0; i < 3; ++i)
+      r[i] = FT(scale) * (FT(m[i][0]) * p.x() + FT(m[i][1]) * p.y() + FT(m[i][2]) * p.z()) / FT(n);
+    put(vpm, v, Point(r[0], r[1], r[2]));
+  }
+}
+
+} // namespace exact_models
+
+#endif // EXACT_MODELS_H

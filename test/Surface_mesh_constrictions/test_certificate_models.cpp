@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces whose constrictions are known in closed form, with points of exact kernels.
+#include "exact_models.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_constrictions;
+using exact_models::Position;
+using exact_models::Soup;
+
+typedef CGAL::Exact_predicates_exact_constructions_kernel Epeck;
+typedef CGAL::Surface_mesh<Epeck::Point_3> Exact_mesh;
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Cartesian_mesh;
+typedef test_meshes::Mesh Mesh;
+
+// Where the tube of boxes_with_tube() begins.
+const std::vector<Position> beginning = {{{2, 1, 1}}, {{2, 2, 1}}, {{2, 2, 2}}, {{2, 1, 2}}};
+
+
+template <class AnyMesh>
+std::vector<Constriction<AnyMesh> > detect(const AnyMesh& mesh)
+{
+  std::vector<Constriction<AnyMesh> > result;
+  detect_constrictions(mesh, std::back_inserter(result), parameters::all_constrictions(true));
+  return result;
+}
+
+// A loop of vertices is a constriction with the verdict and the band that are expected, whatever the kernel, and it is
+// what a tightening of it gives.
+void expect_loop(const Soup& soup, const std::vector<Position>& loop, Certificate_verdict verdict, double length,
+                 double band_width)
+{
+  for(const Certificate& c : {exact_models::certify_loop<Exact_mesh>(soup, loop), exact_models::certify_loop<Mesh>(soup, loop),
+                              exact_models::certify_loop<Cartesian_mesh>(soup, loop)})
+  {
+    EXPECT_EQ(c.verdict, verdict) << c;
+    EXPECT_NEAR(c.flat_band_width, band_width, 1e-12 * band_width);
+  }
+  const Exact_mesh mesh = test_meshes::make_graph<Exact_mesh>(soup);
+  std::vector<Exact_mesh::Vertex_index> path;
+  for(std::size_t v : exact_models::vertices_at(soup, loop))
+    path.emplace_back(static_cast<Exact_mesh::size_type>(v));
+  const auto tightened = tighten_closed_curve(mesh, path);
+  ASSERT_EQ(tightened.verdict, Tightening_verdict::CLOSED_GEODESIC);
+  EXPECT_EQ(tightened.curve.certificate().verdict, verdict);
+  EXPECT_NEAR(tightened.curve.length(), length, 1e-12 * length);
+  EXPECT_NEAR(tightened.curve.flat_band_width(), band_width, 1e-12 * band_width);
+}
+
+TEST(CertificateModels, SquareTubeBetweenBoxesIsABandThatHolds)
+{
+  for(int length : {1, 2, 5})
+  {
+    const Soup soup = test_meshes::boxes_with_tube(length);
+    expect_loop(soup, beginning, Certificate_verdict::CONSTRICTION, 4, length);
+    const auto found = detect(test_meshes::make_graph<Exact_mesh>(soup));
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].certificate().verdict, Certificate_verdict::CONSTRICTION);
+    EXPECT_NEAR(found[0].length(), 4, 4e-12);
+  }
+}
+
+TEST(CertificateModels, EveryRingOfTheTubeIsInTheSameBand)
+{
+  const Soup soup = test_meshes::boxes_with_tube(4);
+  for(double x = 2; x <= 6; ++x)
+  {
+    const Certificate c = exact_models::certify_loop<Exact_mesh>(
+        soup, {{{x, 1, 1}}, {{x, 2, 1}}, {{x, 2, 2}}, {{x, 1, 2}}});
+    EXPECT_EQ(c.verdict, Certificate_verdict::CONSTRICTION) << c;
+    EXPECT_NEAR(c.flat_band_width, 4, 1e-12);
+  }
+}
+
+TEST(CertificateModels, WaistOfIntegerPointsIsStrict)
+{
+  for(int a : {1, 2, 7})
+    expect_loop(exact_models::waist(a), exact_models::ring(exact_models::square(), a, 5),
+                Certificate_verdict::STRICT_CONSTRICTION, 8 * a, 0);
+}
+
+TEST(CertificateModels, PrismChainsHoldWhateverTheNumberOfSides)
+{
+  for(int n = 3; n <= 12; ++n)
+  {
+    const auto p = exact_models::polygon(n);
+    double perimeter = 0;
+    for(int i = 0; i < n; ++i)
+      perimeter += std::hypot(p[(i + 1) % n][0] - p[i][0], p[(i + 1) % n][1] - p[i][1]);
+    const Soup soup = exact_models::prism_chain(n, 400);
+    for(double z : {500., 900.})
+      expect_loop(soup, exact_models::ring(p, 1, z), Certificate_verdict::CONSTRICTION, perimeter, 400);
+    bool is_found = false;
+    for(const auto& c : detect(test_meshes::make_graph<Exact_mesh>(soup)))
+      is_found = is_found || std::abs(c.length() - perimeter) < 1e-9 * perimeter;
+    EXPECT_TRUE(is_found) << n;
+  }
+}
+
+TEST(CertificateModels, MiddleOfTheTwistedCylinderIsStrict)
+{
+  expect_loop(exact_models::twisted_cylinder(), {{{2, 0, 0}}, {{0, 2, 0}}, {{-2, 0, 0}}, {{0, -2, 0}}},
+              Certificate_verdict::STRICT_CONSTRICTION, 8 * std::sqrt(2.), 0);
+}
+
+TEST(CertificateModels, BeltsOfConvexPrismsLeak)
+{
+  for(int n = 3; n <= 12; ++n)
+  {
+    const auto p = exact_models::polygon(n);
+    const Soup soup = exact_models::tube({exact_models::ring(p, 1, 0), exact_models::ring(p, 1, 200),
+                                          exact_models::ring(p, 1, 500)});
+    const Certificate c = exact_models::certify_loop<Exact_mesh>(soup, exact_models::ring(p, 1, 200));
+    EXPECT_EQ(c.verdict, Certificate_verdict::LEAKY_BAND) << n << ": " << c;
+    EXPECT_TRUE(detect(test_meshes::make_graph<Exact_mesh>(soup)).empty());
+  }
+}
+
+// The tube of boxes_with_tube(3), its vertex (3, 1, 1) moved across the tube: the loop around the tube's beginning has
+// four side angles of exactly pi on the side of the tube; the move makes one of them smaller or greater.
+Soup moved_tube(double y)
+{
+  Soup soup = test_meshes::boxes_with_tube(3);
+  for(Position& p : soup.points)
+    if(p == Position{{3, 1, 1}})
+      p[1] = y;
+  return soup;
+}
+
+template <class AnyMesh>
+std::vector<Certificate_verdict> verdicts_around_pi()
+{
+  const double one_less = std::nextafter(1., 0.), one_more = std::nextafter(1., 2.);
+  std::vector<Certificate_verdict> result;
+  for(double y : {one_less, 1., one_more})
+    result.push_back(exact_models::certify_loop<AnyMesh>(moved_tube(y), beginning).verdict);
+  return result;
+}
+
+TEST(CertificateModels, OneUlpAroundAnAngleOfPiGivesThreeVerdicts)
+{
+  const std::vector<Certificate_verdict> expected = {
+      Certificate_verdict::STRICT_CONSTRICTION, Certificate_verdict::CONSTRICTION, Certificate_verdict::ANGLE_BELOW_PI};
+  EXPECT_EQ(verdicts_around_pi<Mesh>(), expected);
+  EXPECT_EQ(verdicts_around_pi<Exact_mesh>(), expected);
+  EXPECT_EQ(verdicts_around_pi<Cartesian_mesh>(), expected);
+}
+
+TEST(CertificateModels, FloatingPointGetsTheThreeVerdictsWrong)
+{
+  std::vector<int> signs;
+  for(double y : {std::nextafter(1., 0.), 1., std::nextafter(1., 2.)})
+  {
+    const Soup soup = moved_tube(y);
+    const Mesh mesh = test_meshes::make_mesh(soup);
+    const auto corners = exact_models::vertices_at(soup, beginning);
+    // the angle at the pivot (2, 1, 1) between its neighbours on the curve, on the side of the tube
+    const Mesh::Vertex_index p(static_cast<Mesh::size_type>(corners[0]));
+    double angle = 0;
+    for(Mesh::Halfedge_index h : halfedges_around_source(p, mesh))
+    {
+      const auto a = mesh.point(p), b = mesh.point(mesh.target(h)), c = mesh.point(mesh.target(mesh.next(h)));
+      const auto u = b - a, v = c - a;
+      if(b.x() >= 2 && c.x() >= 2 && (b.x() > 2 || c.x() > 2))
+        angle += std::atan2(std::sqrt(CGAL::cross_product(u, v).squared_length()), u * v);
+    }
+    signs.push_back(angle > CGAL_PI ? 1 : angle < CGAL_PI ? -1 : 0);
+  }
+  EXPECT_NE(signs, (std::vector<int>{1, 0, -1}));
+}
+
+TEST(CertificateModels, DetectorCorrectsWhatRoundingCannotSee)
+{
+  for(double y : {std::nextafter(1., 0.), 1., std::nextafter(1., 2.)})
+  {
+    const auto found = detect(test_meshes::make_mesh(moved_tube(y)));
+    ASSERT_FALSE(found.empty());
+    for(const auto& c : found)
+      EXPECT_TRUE(c.certificate().is_certified()) << c.certificate();
+  }
+}
+
+TEST(CertificateModels, RationalPointsThatAreNoDoublesAreTakenExactly)
+{
+  // turned by a rational rotation: all ties stay ties, but are none after a rounding to doubles
+  std::mt19937 random(3);
+  Exact_mesh mesh = test_meshes::make_graph<Exact_mesh>(test_meshes::boxes_with_tube(2));
+  exact_models::rotate(mesh, random, 1);
+  const auto found = detect(mesh);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].certificate().verdict, Certificate_verdict::CONSTRICTION);
+  EXPECT_NEAR(found[0].length(), 4, 1e-12);
+
+  Mesh rounded;
+  CGAL::copy_face_graph(mesh, rounded);
+  for(const auto& f : detect(rounded))
+    EXPECT_EQ(f.certificate().verdict, Certificate_verdict::STRICT_CONSTRICTION);
+}
+
+TEST(CertificateModels, KernelWithSquareRoots)
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt Kernel;
+  typedef CGAL::Surface_mesh<Kernel::Point_3> Root_mesh;
+  const Soup soup = exact_models::waist(1);
+  Root_mesh mesh = test_meshes::make_graph<Root_mesh>(soup);
+  const auto loop = exact_models::vertices_at(soup, exact_models::ring(exact_models::square(), 1, 5));
+  const auto curve = exact_models::curve_of_loop(mesh, loop);
+  EXPECT_EQ(certify_constriction(mesh, curve).verdict, Certificate_verdict::STRICT_CONSTRICTION);
+
+  for(auto v : vertices(mesh))
+  {
+    const Kernel::Point_3 p = mesh.point(v);
+    mesh.point(v) = Kernel::Point_3(p.x() / 7, p.y() / 7, p.z() / 7);
+  }
+  EXPECT_EQ(certify_constriction(mesh, curve).verdict, Certificate_verdict::STRICT_CONSTRICTION);
+}
+
+TEST(CertificateModels, IrrationalCoordinateIsRefusedWhereItMatters)
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt Kernel;
+  typedef CGAL::Surface_mesh<Kernel::Point_3> Root_mesh;
+  const Soup soup = test_meshes::boxes_with_tube(1);
+  Root_mesh mesh = test_meshes::make_graph<Root_mesh>(soup);
+  const Kernel::FT root = CGAL::sqrt(Kernel::FT(2));
+  for(auto v : vertices(mesh))
+  {
+    const Kernel::Point_3 p = mesh.point(v);
+    mesh.point(v) = Kernel::Point_3(root * p.x(), root * p.y(), root * p.z());
+  }
+  const auto curve = exact_models::curve_of_loop(mesh, exact_models::vertices_at(soup, beginning));
+  try
+  {
+    certify_constriction(mesh, curve);
+    FAIL() << "a tie was decided without exact coordinates";
+  }
+  catch(const Invalid_input& e)
+  {
+    EXPECT_EQ(e.defect(), Input_defect::IRRATIONAL_COORDINATE);
+    EXPECT_NE(std::string(e.what()).find("irrational coordinate"), std::string::npos);
+  }
+}
+
+TEST(CertificateModels, EdgeRunToAndFroIsNoConstriction)
+{
+  const Mesh mesh = test_meshes::make_mesh(exact_models::waist(1));
+  const Mesh::Halfedge_index h = *halfedges(mesh).begin();
+  const auto curve = exact_models::curve_of_loop(mesh, {mesh.source(h).idx(), mesh.target(h).idx()});
+  EXPECT_EQ(certify_constriction(mesh, curve).verdict, Certificate_verdict::ANGLE_BELOW_PI);
+}
+
+TEST(CertificateModels, PathThatSkipsAnEdgeIsNoClosedCurve)
+{
+  const Soup soup = exact_models::waist(1);
+  auto positions = exact_models::ring(exact_models::square(), 1, 5);
+  std::swap(positions[1], positions[2]);
+  const Certificate c = exact_models::certify_loop<Mesh>(soup, positions);
+  EXPECT_EQ(c.verdict, Certificate_verdict::NOT_A_CLOSED_CURVE);
+  EXPECT_EQ(c.location, 0u);
+  std::ostringstream text;
+  text << c;
+  EXPECT_EQ(text.str(), "not_certified: no closed curve, point 0 does not fit to the next one");
+  EXPECT_EQ(certify_constriction(test_meshes::make_mesh(soup), Constriction<Mesh>()).verdict,
+            Certificate_verdict::NOT_A_CLOSED_CURVE);
+}
+
+TEST(CertificateModels, RingRunTwiceTouchesItself)
+{
+  const Soup soup = exact_models::waist(1);
+  auto positions = exact_models::ring(exact_models::square(), 1, 5);
+  positions.insert(positions.end(), positions.begin(), positions.begin() + 4);
+  const Certificate c = exact_models::certify_loop<Mesh>(soup, positions);
+  EXPECT_EQ(c.verdict, Certificate_verdict::TOUCHES_ITSELF) << c;
+  EXPECT_EQ(c.location, 0u);
+  EXPECT_EQ(c.other_location, 4u);
+}
+
+// A curve around the tube that crosses the inside of its edges, without pivots.
+Constriction<Mesh> curve_without_pivots(const Mesh& mesh, double x)
+{
+  typedef Constriction<Mesh> Curve;
+  Curve::Data data;
+  for(Mesh::Halfedge_index h : halfedges(mesh))
+  {
+    const auto p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h));
+    if(!(p.x() > x && q.x() < x)) // seen along the curve, the lower end lies on its left
+      continue;
+    Mesh::Halfedge_index crossed = h;
+    do {
+      data.locations.push_back({false, Mesh::Vertex_index(), crossed, 0.5});
+      const Mesh::Halfedge_index o = mesh.opposite(crossed), n = mesh.next(o), m = mesh.prev(o);
+      crossed = mesh.point(mesh.source(n)).x() > x && mesh.point(mesh.target(n)).x() < x ? n : m;
+    } while(crossed != h);
+    break;
+  }
+  return Curve(data);
+}
+
+TEST(CertificateModels, CurveWithoutPivotsIsKnownByItsStrip)
+{
+  const Mesh tube = test_meshes::make_mesh(test_meshes::boxes_with_tube(3));
+  const Certificate c = certify_constriction(tube, curve_without_pivots(tube, 3.5));
+  EXPECT_EQ(c.verdict, Certificate_verdict::CONSTRICTION) << c;
+  EXPECT_NEAR(c.flat_band_width, 3, 1e-12);
+
+  const Mesh box = test_meshes::make_mesh(test_meshes::box(3, 1, 1));
+  EXPECT_EQ(certify_constriction(box, curve_without_pivots(box, 1.5)).verdict, Certificate_verdict::LEAKY_BAND);
+
+  // the strip of a frustum turns, so no closed curve in it is straight
+  const Mesh frustum = test_meshes::make_mesh(
+      exact_models::tube({exact_models::ring(exact_models::square(), 3, 0), exact_models::ring(exact_models::square(), 1, 5)}));
+  Mesh upright = frustum;
+  for(auto v : vertices(upright))
+    upright.point(v) = Mesh::Point(frustum.point(v).z(), frustum.point(v).x(), frustum.point(v).y());
+  EXPECT_EQ(certify_constriction(upright, curve_without_pivots(upright, 2.5)).verdict,
+            Certificate_verdict::NOT_STRAIGHT);
+}
+
+TEST(CertificateModels, BorderAndPolygonsAreReported)
+{
+  Mesh mesh = test_meshes::make_mesh(exact_models::waist(1));
+  const auto loop = exact_models::vertices_at(exact_models::waist(1), exact_models::ring(exact_models::square(), 1, 5));
+  const auto curve = exact_models::curve_of_loop(mesh, loop);
+  Mesh opened = mesh;
+  CGAL::Euler::remove_face(opened.halfedge(Mesh::Vertex_index(static_cast<Mesh::size_type>(loop[0]))), opened);
+  try
+  {
+    certify_constriction(opened, curve);
+    FAIL() << "the border was not noticed";
+  }
+  catch(const Invalid_input& e)
+  {
+    EXPECT_EQ(e.defect(), Input_defect::NOT_CLOSED);
+  }
+}
+
+} // namespace

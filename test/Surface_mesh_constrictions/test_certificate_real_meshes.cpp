@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Certificates of what is found on real meshes.
+#include "test_meshes.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/number_utils.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_constrictions;
+using test_meshes::Mesh;
+
+typedef CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3> Exact_mesh;
+
+template <class AnyMesh>
+AnyMesh read(const std::string& name)
+{
+  AnyMesh mesh;
+  EXPECT_TRUE(CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name + ".off", mesh)) << name;
+  return mesh;
+}
+
+// The combinatorics of what is found.
+template <class AnyMesh>
+std::vector<std::vector<std::size_t> > combinatorial_curves(const AnyMesh& mesh)
+{
+  std::vector<Constriction<AnyMesh> > found;
+  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
+  std::vector<std::vector<std::size_t> > result;
+  for(const auto& c : found)
+  {
+    result.emplace_back();
+    for(const auto& l : c.locations())
+    {
+      result.back().push_back(l.is_pivot ? std::size_t(l.vertex) : std::size_t(source(l.halfedge, mesh)));
+      result.back().push_back(l.is_pivot ? std::size_t(l.vertex) : std::size_t(target(l.halfedge, mesh)));
+    }
+  }
+  return result;
+}
+
+class TwentyMeshes : public ::testing::TestWithParam<const char*>
+{};
+
+TEST_P(TwentyMeshes, SameCombinatorialCurvesWithInexactAndExactPoints)
+{
+  const auto expected = combinatorial_curves(read<Mesh>(GetParam()));
+  EXPECT_EQ(combinatorial_curves(read<Exact_mesh>(GetParam())), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Certificates, TwentyMeshes,
+                         ::testing::Values("cactus", "eight", "elephant", "hand", "cow", "bull", "homer", "knot",
+                                           "pipe", "joint", "anchor", "rotor", "pinion", "spool", "couplingdown",
+                                           "helmet", "elk", "triceratops", "femur", "oblong"));
+
+class FoundCurves : public ::testing::TestWithParam<const char*>
+{};
+
+// Among these are machine parts with ties, and near ties that floating point gets wrong.
+TEST_P(FoundCurves, AreCertifiedAndNoTieIsLeft)
+{
+  const Mesh mesh = read<Mesh>(GetParam());
+  std::vector<Constriction<Mesh> > found;
+  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
+  EXPECT_FALSE(found.empty());
+  for(const auto& c : found)
+  {
+    EXPECT_TRUE(c.certificate().is_certified()) << c.certificate();
+    const Certificate again = certify_constriction(mesh, c);
+    EXPECT_EQ(again.verdict, c.certificate().verdict) << again;
+    EXPECT_EQ(again.signs.unproved, 0u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Certificates, FoundCurves,
+                         ::testing::Values("cactus", "eight", "elephant", "camel", "dino", "knot2", "pipe", "joint",
+                                           "anchor", "turbine", "rotor_small", "pinion", "spool", "couplingdown",
+                                           "mpi_triang"));
+
+TEST(Certificates, ExactArithmeticCorrectsMachineParts)
+{
+  for(const char* name : {"couplingdown", "spool", "pinion"})
+  {
+    const Mesh mesh = read<Mesh>(name);
+    std::vector<Constriction<Mesh> > uncertified;
+    detect_constrictions(mesh, std::back_inserter(uncertified),
+                         parameters::certify(false, parameters::all_constrictions(true)));
+    std::size_t refused = 0;
+    for(const auto& c : uncertified)
+    {
+      EXPECT_EQ(c.certificate().verdict, Certificate_verdict::NOT_COMPUTED);
+      refused += !certify_constriction(mesh, c).is_certified();
+    }
+    EXPECT_GT(refused, 0u) << name;
+  }
+}
+
+class GenusZero : public ::testing::TestWithParam<const char*>
+{};
+
+// The angle defects inside each side of a curve on a sphere, and pi minus the side angles, add up to 2 pi; so the
+// defects inside each side add up to at least that.
+TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
+{
+  const Mesh mesh = read<Mesh>(GetParam());
+  std::vector<Constriction<Mesh> > found;
+  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
+  EXPECT_FALSE(found.empty());
+  std::vector<double> defect(mesh.number_of_vertices());
+  for(Mesh::Vertex_index v : mesh.vertices())
+  {
+    double sum = 0;
+    for(Mesh::Halfedge_index h : halfedges_around_source(v, mesh))
+    {
+      const auto a = mesh.point(mesh.target(h)) - mesh.point(v), b = mesh.point(mesh.target(mesh.next(h))) - mesh.point(v);
+      sum += std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
+    }
+    defect[v] = 2 * CGAL_PI - sum;
+  }
+  for(const auto& c : found)
+  {
+    // faces that the curve does not cross, and the vertices that it leaves on either side of an edge
+    enum { UNKNOWN, LEFT, RIGHT, PIVOT };
+    std::vector<int> side(mesh.number_of_vertices(), UNKNOWN);
+    std::map<std::pair<Mesh::size_type, Mesh::size_type>, int> crossings;
+    std::vector<Mesh::Vertex_index> stack;
+    const auto key = [](Mesh::Vertex_index u, Mesh::Vertex_index v) {
+      return std::make_pair((std::min)(u.idx(), v.idx()), (std::max)(u.idx(), v.idx()));
+    };
+    const auto put_on = [&](Mesh::Vertex_index v, int s) {
+      if(side[v] == PIVOT)
+        return;
+      EXPECT_TRUE(side[v] == UNKNOWN || side[v] == s) << "the sides meet";
+      if(side[v] == UNKNOWN)
+        stack.push_back(v);
+      side[v] = s;
+    };
+    double turning[2] = {0, 0};
+    for(const auto& p : c.pivots())
+    {
+      side[p.vertex] = PIVOT;
+      turning[0] += CGAL_PI - p.left_angle;
+      turning[1] += CGAL_PI - p.right_angle;
+    }
+    const std::size_t n = c.locations().size();
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const auto &l = c.locations()[i], &next = c.locations()[(i + 1) % n];
+      if(!l.is_pivot)
+      {
+        ++crossings[key(mesh.source(l.halfedge), mesh.target(l.halfedge))];
+        put_on(mesh.target(l.halfedge), LEFT);
+        put_on(mesh.source(l.halfedge), RIGHT);
+      }
+      else if(next.is_pivot)
+      {
+        const Mesh::Halfedge_index h = mesh.halfedge(l.vertex, next.vertex);
+        put_on(mesh.target(mesh.next(h)), LEFT);
+        put_on(mesh.target(mesh.next(mesh.opposite(h))), RIGHT);
+      }
+    }
+    while(!stack.empty())
+    {
+      const Mesh::Vertex_index v = stack.back();
+      stack.pop_back();
+      for(Mesh::Vertex_index w : vertices_around_target(mesh.halfedge(v), mesh))
+      {
+        const auto it = crossings.find(key(v, w));
+        const bool changes = it != crossings.end() && it->second % 2 == 1;
+        put_on(w, changes ? LEFT + RIGHT - side[v] : side[v]);
+      }
+    }
+    double inside[2] = {0, 0};
+    for(Mesh::Vertex_index v : mesh.vertices())
+      if(side[v] == LEFT || side[v] == RIGHT)
+        inside[side[v] - LEFT] += defect[v];
+    for(int s = 0; s < 2; ++s)
+    {
+      EXPECT_NEAR(inside[s] + turning[s], 2 * CGAL_PI, 1e-8);
+      EXPECT_GE(inside[s], 2 * CGAL_PI - 1e-8);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Certificates, GenusZero,
+                         ::testing::Values("cactus", "bull", "cow", "hand", "homer", "dino", "triceratops", "camel"));
+
+} // namespace

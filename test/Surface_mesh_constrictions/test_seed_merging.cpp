@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/test_meshes.h"
+
+#include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
+#include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
+#include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
+
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_constrictions;
+namespace SMS = CGAL::Surface_mesh_simplification;
+using SMC::Index;
+
+SMC::Progressive_mesh simplified(const test_meshes::Soup& soup)
+{
+  test_meshes::Mesh mesh = test_meshes::make_mesh(soup);
+  const test_meshes::Mesh input = mesh;
+  SMC::Collapse_record record;
+  const auto vim = get(boost::vertex_index, mesh);
+  SMS::edge_collapse(mesh, [](double, const auto&, std::size_t, std::size_t) { return false; },
+                     CGAL::parameters::get_cost(SMS::Edge_length_cost<test_meshes::Mesh>())
+                         .get_placement(SMS::Midpoint_placement<test_meshes::Mesh>())
+                         .visitor(SMC::Collapse_recording_visitor<decltype(vim)>(record, vim)));
+  return SMC::make_progressive_mesh(input, record.collapses);
+}
+
+std::vector<SMC::Seed_curve> cut_locus_loops(SMC::Progressive_mesh& pm, std::size_t level)
+{
+  pm.go_to_level(level);
+  std::vector<SMC::Seed_curve> seeds;
+  SMC::cut_locus_seeds(pm, std::back_inserter(seeds));
+  return seeds;
+}
+
+std::vector<std::size_t> all_seeds(const std::vector<SMC::Merged_seed>& merged)
+{
+  std::vector<std::size_t> numbers;
+  for(const SMC::Merged_seed& m : merged)
+    numbers.insert(numbers.end(), m.seeds.begin(), m.seeds.end());
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+TEST(EdgePaths, StayClosedPathsOfEdgesAtEveryLevel)
+{
+  SMC::Progressive_mesh pm = simplified(test_meshes::torus(0.2, 2, 20, 12));
+  const std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, pm.number_of_collapses() - 20);
+  ASSERT_FALSE(seeds.empty());
+  SMC::internal::Edge_paths paths(pm);
+  for(const SMC::Seed_curve& s : seeds)
+    paths.add(s.vertices);
+  while(pm.level() > 0)
+  {
+    paths.split();
+    for(std::size_t i = 0; i < paths.size(); ++i)
+    {
+      const std::vector<Index> path = paths.path(i);
+      for(std::size_t j = 0; j < path.size(); ++j)
+      {
+        ASSERT_TRUE(pm.is_vertex(path[j]));
+        ASSERT_NE(pm.halfedge(path[j], path[(j + 1) % path.size()]), SMC::null_index);
+      }
+    }
+  }
+}
+
+TEST(MergeSeedCurves, HandsOnEverySeedOnceAndKeepsPathsOfEdges)
+{
+  SMC::Progressive_mesh pm = simplified(test_meshes::torus(0.2, 7, 20, 12));
+  std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, pm.number_of_collapses() - 30);
+  const std::vector<SMC::Seed_curve> finer = cut_locus_loops(pm, 20);
+  seeds.insert(seeds.begin(), finer.begin(), finer.begin() + 5);
+  const std::size_t level = pm.number_of_collapses() - 80;
+  std::vector<SMC::Merged_seed> merged;
+  SMC::merge_seed_curves(pm, seeds, level, 3, std::back_inserter(merged));
+  EXPECT_EQ(pm.level(), level);
+  const std::vector<std::size_t> numbers = all_seeds(merged);
+  ASSERT_EQ(numbers.size(), seeds.size());
+  for(std::size_t i = 0; i < numbers.size(); ++i)
+    EXPECT_EQ(numbers[i], i);
+  EXPECT_LT(merged.size(), seeds.size());
+  for(const SMC::Merged_seed& m : merged)
+  {
+    pm.go_to_level(m.curve.level);
+    for(std::size_t i = 0; i < m.curve.vertices.size(); ++i)
+      EXPECT_NE(pm.halfedge(m.curve.vertices[i], m.curve.vertices[(i + 1) % m.curve.vertices.size()]), SMC::null_index);
+  }
+}
+
+// On the input seeds that meet give the same curve, so one of each is enough.
+TEST(MergeSeedCurves, OnTheInputOneSeedIsKeptOfThoseThatMeet)
+{
+  SMC::Progressive_mesh pm = simplified(test_meshes::boxes_with_tube(4));
+  const std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, 0);
+  std::vector<SMC::Merged_seed> merged;
+  SMC::merge_seed_curves(pm, seeds, 0, 12, std::back_inserter(merged));
+  std::size_t living = 0;
+  for(const SMC::Merged_seed& m : merged)
+    living += !m.curve.vertices.empty();
+  EXPECT_GT(living, 0u);
+  EXPECT_LT(living, 20u); // the bands of the tube's four faces, and what crosses them
+  EXPECT_EQ(all_seeds(merged).size(), seeds.size());
+}
+
+// Tightening on the way on a fine level hands on every seed too.
+TEST(CarrySeedCurves, HandsOnEverySeedOnceWithAndWithoutTighteningOnTheWay)
+{
+  for(const std::size_t tightening_vertices : {std::size_t(16384), std::size_t(150)})
+  {
+    SMC::Progressive_mesh pm = simplified(test_meshes::dumbbell(0.1, 3, 36, 24));
+    const std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, pm.number_of_collapses() - 60);
+    SMC::Carrying_parameters parameters;
+    parameters.merging_vertices = 80;
+    parameters.tightening_vertices = tightening_vertices;
+    std::vector<SMC::Refined_curve> refined;
+    SMC::Refinement_visitor_base visitor;
+    SMC::carry_seed_curves(pm, seeds, parameters, std::back_inserter(refined), visitor);
+    EXPECT_EQ(pm.level(), 0u);
+    std::vector<std::size_t> numbers;
+    bool is_one_alive = false;
+    for(const SMC::Refined_curve& r : refined)
+    {
+      numbers.insert(numbers.end(), r.seeds.begin(), r.seeds.end());
+      is_one_alive = is_one_alive || !r.curve.nodes.empty();
+    }
+    std::sort(numbers.begin(), numbers.end());
+    ASSERT_EQ(numbers.size(), seeds.size());
+    EXPECT_EQ(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    EXPECT_TRUE(is_one_alive);
+  }
+}
+
+} // namespace

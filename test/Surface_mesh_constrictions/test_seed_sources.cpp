@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/test_meshes.h"
+
+#include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/section_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_constrictions;
+using SMC::Index;
+using SMC::Seed_curve;
+using SMC::Seed_origin;
+
+void expect_closed_path(const SMC::Progressive_mesh& pm, const Seed_curve& seed)
+{
+  ASSERT_EQ(seed.level, pm.level());
+  ASSERT_GE(seed.vertices.size(), 3u);
+  for(std::size_t i = 0; i < seed.vertices.size(); ++i)
+    ASSERT_NE(pm.halfedge(seed.vertices[i], seed.vertices[(i + 1) % seed.vertices.size()]), SMC::null_index);
+}
+
+double edge_length(const SMC::Progressive_mesh& pm, Index u, Index v)
+{
+  return std::sqrt(CGAL::squared_distance(pm.point(u), pm.point(v)));
+}
+
+double length(const SMC::Progressive_mesh& pm, const std::vector<Index>& loop)
+{
+  double sum = 0;
+  for(std::size_t i = 0; i < loop.size(); ++i)
+    sum += edge_length(pm, loop[i], loop[(i + 1) % loop.size()]);
+  return sum;
+}
+
+std::vector<Seed_curve> loops_at(const SMC::Progressive_mesh& pm, Index root)
+{
+  std::vector<Seed_curve> seeds;
+  SMC::cut_locus_seeds_at_vertex(pm, root, std::back_inserter(seeds));
+  return seeds;
+}
+
+// By Bellman and Ford.
+std::vector<double> distances(const SMC::Progressive_mesh& pm, Index root)
+{
+  std::vector<double> d(pm.number_of_vertex_ids(), (std::numeric_limits<double>::infinity)());
+  d[root] = 0;
+  for(bool changed = true; changed;)
+  {
+    changed = false;
+    for(Index h = 0; h < pm.number_of_halfedge_ids(); ++h)
+    {
+      const double via = d[pm.source(h)] + edge_length(pm, pm.source(h), pm.target(h));
+      if(via < d[pm.target(h)])
+      {
+        d[pm.target(h)] = via;
+        changed = true;
+      }
+    }
+  }
+  return d;
+}
+
+TEST(CutLocusSeeds, EachLoopIsTwoShortestPathsFromTheRootAndAnEdge)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::torus(0.2, 3, 9, 6));
+  std::size_t loops = 0;
+  for(Index root = 0; root < pm.number_of_vertex_ids(); ++root)
+  {
+    const std::vector<double> d = distances(pm, root);
+    for(const Seed_curve& seed : loops_at(pm, root))
+    {
+      expect_closed_path(pm, seed);
+      EXPECT_EQ(seed.origin, Seed_origin::CUT_LOCUS);
+      std::vector<Index> loop = seed.vertices;
+      ASSERT_EQ(std::count(loop.begin(), loop.end(), root), 1);
+      std::rotate(loop.begin(), std::find(loop.begin(), loop.end(), root), loop.end());
+      // some edge of the loop closes it: the distances of its ends and its length add up to the length of the loop
+      const double total = length(pm, loop);
+      bool closes = false;
+      for(std::size_t i = 1; i + 1 < loop.size(); ++i)
+      {
+        const double closed = d[loop[i]] + edge_length(pm, loop[i], loop[i + 1]) + d[loop[i + 1]];
+        closes = closes || std::abs(closed - total) < 1e-12 * total;
+      }
+      EXPECT_TRUE(closes);
+      EXPECT_EQ(std::set<Index>(loop.begin(), loop.end()).size(), loop.size());
+      ++loops;
+    }
+  }
+  EXPECT_GT(loops, pm.number_of_vertex_ids());
+}
+
+TEST(CutLocusSeeds, TheLoopAroundATubeIsFoundFromEachOfItsVertices)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::boxes_with_tube(4));
+  std::size_t on_tube = 0;
+  for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+  {
+    if(pm.point(v).x() != 4)
+      continue;
+    ++on_tube;
+    const std::vector<Seed_curve> seeds = loops_at(pm, v);
+    EXPECT_TRUE(std::any_of(seeds.begin(), seeds.end(), [&](const Seed_curve& s) {
+      return s.vertices.size() == 4 && std::all_of(s.vertices.begin(), s.vertices.end(),
+                                                   [&](Index u) { return pm.point(u).x() == 4; });
+    }));
+  }
+  EXPECT_EQ(on_tube, 4u);
+}
+
+TEST(CutLocusSeeds, ALoopThatBoundsAFaceIsNotASeed)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::tetrahedron());
+  for(Index root = 0; root < 4; ++root)
+    EXPECT_TRUE(loops_at(pm, root).empty());
+}
+
+TEST(CutLocusSeeds, AllRootsTogetherGiveEachLoopOnceAndTheUnionOfTheRoots)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::dumbbell(0.1, 5, 10, 7));
+  std::set<std::vector<Index> > by_root;
+  for(Index root = 0; root < pm.number_of_vertex_ids(); ++root)
+    for(const Seed_curve& s : loops_at(pm, root))
+      by_root.insert(s.vertices);
+  std::vector<Seed_curve> seeds;
+  SMC::cut_locus_seeds(pm, std::back_inserter(seeds));
+  std::set<std::vector<Index> > together;
+  for(const Seed_curve& s : seeds)
+    EXPECT_TRUE(together.insert(s.vertices).second);
+  EXPECT_EQ(together, by_root);
+}
+
+TEST(CutLocusSeeds, FewerRootsGiveASubset)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::torus(0.2, 1, 12, 7));
+  std::set<std::vector<Index> > all;
+  std::vector<Seed_curve> seeds, fewer;
+  SMC::cut_locus_seeds(pm, std::back_inserter(seeds));
+  for(const Seed_curve& s : seeds)
+    all.insert(s.vertices);
+  SMC::cut_locus_seeds(pm, std::back_inserter(fewer), 10);
+  EXPECT_LT(fewer.size(), seeds.size());
+  EXPECT_FALSE(fewer.empty());
+  for(const Seed_curve& s : fewer)
+    EXPECT_EQ(all.count(s.vertices), 1u);
+}
+
+TEST(SectionSeeds, PlanesAndDistancesCutATubeAround)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::boxes_with_tube(6));
+  for(const bool by_planes : {true, false})
+  {
+    std::vector<Seed_curve> seeds;
+    if(by_planes)
+      SMC::plane_section_seeds(pm, std::back_inserter(seeds));
+    else
+      SMC::distance_section_seeds(pm, std::back_inserter(seeds));
+    std::set<std::vector<Index> > distinct;
+    bool around = false;
+    for(const Seed_curve& s : seeds)
+    {
+      expect_closed_path(pm, s);
+      EXPECT_EQ(s.origin, Seed_origin::SECTION);
+      EXPECT_TRUE(distinct.insert(s.vertices).second);
+      around = around || std::all_of(s.vertices.begin(), s.vertices.end(), [&](Index v) {
+        return pm.point(v).x() >= 2 && pm.point(v).x() <= 8 && std::abs(pm.point(v).y() - 1.5) <= 0.5 &&
+               std::abs(pm.point(v).z() - 1.5) <= 0.5;
+      });
+    }
+    EXPECT_TRUE(around);
+  }
+}
+
+// Of two components each is cut, and no path joins them.
+TEST(SectionSeeds, ComponentsAreCutApart)
+{
+  const test_meshes::Soup tube = test_meshes::boxes_with_tube(3);
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::joined(tube, tube, 20));
+  std::vector<Seed_curve> seeds;
+  SMC::distance_section_seeds(pm, std::back_inserter(seeds));
+  std::map<bool, std::size_t> count;
+  for(const Seed_curve& s : seeds)
+  {
+    expect_closed_path(pm, s);
+    ++count[s.vertices.front() < tube.points.size()];
+  }
+  EXPECT_GT(count[true], 0u);
+  EXPECT_GT(count[false], 0u);
+}
+
+struct Statistics_taker
+  : public SMC::Detection_visitor_base
+{
+  SMC::Detection_statistics* statistics;
+  explicit Statistics_taker(SMC::Detection_statistics& s) : statistics(&s) {}
+  void on_end(const SMC::Detection_statistics& s) const { *statistics = s; }
+};
+
+template <class Source>
+std::vector<SMC::Constriction<test_meshes::Mesh> > detect(const test_meshes::Mesh& mesh, const Source& source,
+                                                          SMC::Detection_statistics& statistics)
+{
+  std::vector<SMC::Constriction<test_meshes::Mesh> > result;
+  SMC::detect_constrictions(
+      mesh, std::back_inserter(result),
+      SMC::parameters::all_constrictions(
+          true, SMC::parameters::seed_sources(source, CGAL::parameters::visitor(Statistics_taker(statistics)))));
+  return result;
+}
+
+TEST(SeedSources, EachSourceFindsTheNeckAndSaysSo)
+{
+  const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.02, 1));
+  const auto check = [&mesh](const auto& source, Seed_origin origin) {
+    SMC::Detection_statistics statistics;
+    const auto result = detect(mesh, source, statistics);
+    ASSERT_FALSE(result.empty());
+    EXPECT_NEAR(result.front().length(), 2 * CGAL_PI * 0.4, 0.2);
+    for(const auto& c : result)
+      for(const auto& s : c.seeds())
+        EXPECT_EQ(s.origin, origin);
+  };
+  check(SMC::Non_face_triangle_seeds(), Seed_origin::NON_FACE_TRIANGLE);
+  check(SMC::Cut_locus_source(), Seed_origin::CUT_LOCUS);
+  check(SMC::Cut_locus_source(100, 20), Seed_origin::CUT_LOCUS);
+  check(SMC::Section_source(200), Seed_origin::SECTION);
+}
+
+TEST(SeedSources, SeveralGiveWhatEachGives)
+{
+  const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.1, 4));
+  SMC::Detection_statistics triangles, loops, both;
+  detect(mesh, SMC::Non_face_triangle_seeds(), triangles);
+  detect(mesh, SMC::Cut_locus_source(100), loops);
+  detect(mesh, SMC::Seed_sources<SMC::Non_face_triangle_seeds, SMC::Cut_locus_source>(SMC::Non_face_triangle_seeds(),
+                                                                                    SMC::Cut_locus_source(100)),
+         both);
+  EXPECT_GT(triangles.seeds, 0u);
+  EXPECT_GT(loops.seeds, 0u);
+  EXPECT_EQ(both.seeds, triangles.seeds + loops.seeds);
+}
+
+TEST(SeedSources, EverySeedIsAccountedFor)
+{
+  for(unsigned seed = 0; seed < 3; ++seed)
+  {
+    const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.15, seed, 24, 10));
+    SMC::Detection_statistics s;
+    const auto result = detect(mesh, SMC::Thorough_seed_sources(), s);
+    EXPECT_EQ(s.seeds, s.degenerate + s.not_simple + s.not_certified + s.merged + s.not_selected + result.size());
+    EXPECT_EQ(s.not_selected, 0u);
+    std::size_t kept = 0;
+    for(const auto& c : result)
+      kept += c.seeds().size();
+    EXPECT_EQ(kept, s.merged + result.size());
+  }
+}
+
+TEST(SeedSources, SaddleConditionKeepsTrianglesOfSaddlesOnly)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::prism(3, 2));
+  const SMC::Seed_level level = {6, 0, SMC::null_index, nullptr};
+  std::vector<Seed_curve> given, kept;
+  const SMC::Given_seeds belt({{0, 1, 2}});
+  belt(pm, level, std::back_inserter(given));
+  SMC::Saddle_seeds<SMC::Given_seeds> filter(belt);
+  filter(pm, level, std::back_inserter(kept));
+  ASSERT_EQ(given.size(), 1u);
+  EXPECT_TRUE(kept.empty()); // a convex surface has no saddle
+
+  // the corners where a tube meets a box: three quarters of a turn and more
+  const SMC::Progressive_mesh tube = test_meshes::make_progressive(test_meshes::boxes_with_tube(3));
+  std::vector<Index> waist;
+  for(const auto& yz : {std::array<int, 2>{{1, 1}}, std::array<int, 2>{{2, 1}}, std::array<int, 2>{{2, 2}},
+                        std::array<int, 2>{{1, 2}}})
+    for(Index v = 0; v < tube.number_of_vertex_ids(); ++v)
+      if(tube.point(v).x() == 2 && tube.point(v).y() == yz[0] && tube.point(v).z() == yz[1])
+        waist.push_back(v);
+  ASSERT_EQ(waist.size(), 4u);
+  SMC::Saddle_seeds<SMC::Given_seeds> saddles(SMC::Given_seeds({waist}));
+  saddles(tube, level, std::back_inserter(kept));
+  EXPECT_EQ(kept.size(), 1u);
+}
+
+TEST(SeedSources, AUserLoopIsTightened)
+{
+  const test_meshes::Soup soup = test_meshes::dumbbell(0.02, 2);
+  const test_meshes::Mesh mesh = test_meshes::make_mesh(soup);
+  std::vector<Index> ring;
+  for(Index j = 0; j < 18; ++j)
+    ring.push_back(10 * 18 + j); // beside the neck, which is ring 12
+  SMC::Detection_statistics s;
+  const auto result = detect(mesh, SMC::Given_seeds({ring}), s);
+  ASSERT_EQ(result.size(), 1u);
+  EXPECT_NEAR(result.front().length(), 2 * CGAL_PI * 0.4, 0.2);
+  EXPECT_EQ(result.front().seeds().front().origin, Seed_origin::USER);
+}
+
+TEST(SeedSources, ConvexSurfacesHaveNoConstriction)
+{
+  for(unsigned seed = 0; seed < 3; ++seed)
+  {
+    SMC::Detection_statistics s;
+    const test_meshes::Mesh hull = test_meshes::make_mesh(test_meshes::random_hull(seed, 200));
+    EXPECT_TRUE(detect(hull, SMC::Thorough_seed_sources(), s).empty());
+    EXPECT_EQ(s.seeds, s.degenerate + s.not_simple + s.not_certified);
+  }
+}
+
+} // namespace

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/test_meshes.h"
+
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_constrictions;
+namespace params = CGAL::Surface_mesh_constrictions::parameters;
+using test_meshes::Mesh;
+typedef SMC::Constriction<Mesh> Constriction;
+
+// A constriction that is nothing but these figures.
+Constriction figures(double prominence, double ratio = 0.1, std::vector<std::size_t> dominated_by = {},
+                     std::vector<std::size_t> crosses = {})
+{
+  Constriction::Data data;
+  data.prominence = prominence;
+  data.isoperimetric_ratio = ratio;
+  data.separating = ratio > 0;
+  if(!dominated_by.empty())
+    data.dominated_by = dominated_by[0];
+  data.crosses = crosses;
+  return Constriction(data);
+}
+
+template <class NamedParameters>
+std::vector<double> select(const std::vector<Constriction>& given, const NamedParameters& np)
+{
+  std::vector<Constriction> selected;
+  SMC::select_by_prominence(given, std::back_inserter(selected), np);
+  std::vector<double> result;
+  for(const Constriction& c : selected)
+    result.push_back(c.prominence());
+  return result;
+}
+
+typedef std::vector<double> Doubles;
+
+TEST(Selection, TheMostProminentComeFirstAndThresholdsAreInclusive)
+{
+  const std::vector<Constriction> given = {figures(0.3), figures(0.5), figures(0.049), figures(0.05), figures(2)};
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{2, 0.5, 0.3, 0.05}));
+  EXPECT_EQ(select(given, params::minimum_prominence(0.5)), (Doubles{2, 0.5}));
+  EXPECT_EQ(select(given, params::maximum_number_of_constrictions(std::size_t(3))), (Doubles{2, 0.5, 0.3}));
+  EXPECT_EQ(select(given, params::maximum_number_of_constrictions(std::size_t(0))), Doubles());
+  EXPECT_EQ(select(given, params::all_constrictions(true)), (Doubles{2, 0.5, 0.3, 0.05, 0.049}));
+}
+
+TEST(Selection, TheIsoperimetricRatioCountsForSeparatingCurvesOnly)
+{
+  const std::vector<Constriction> given = {figures(1, 0.3), figures(0.9, 0.25), figures(0.8, 0)};
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{0.9, 0.8}));
+  EXPECT_EQ(select(given, params::maximum_isoperimetric_ratio(0.5)), (Doubles{1, 0.9, 0.8}));
+  EXPECT_EQ(select(given, params::maximum_isoperimetric_ratio(0.1)), (Doubles{0.8}));
+}
+
+TEST(Selection, OfTwoThatCrossTheMoreProminentIsSelected)
+{
+  // 1 crosses 0 and 2, which do not cross; 3 crosses 1, which is not selected
+  const std::vector<Constriction> given = {figures(1), figures(0.9, 0.1, {}, {0, 2}), figures(0.8),
+                                           figures(0.7, 0.1, {}, {1})};
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{1, 0.8, 0.7}));
+  EXPECT_EQ(select(given, params::crossing_constrictions(true)), (Doubles{1, 0.9, 0.8, 0.7}));
+  EXPECT_EQ(select(given, params::all_constrictions(true)), (Doubles{1, 0.9, 0.8, 0.7}));
+}
+
+TEST(Selection, PlacesInTheHierarchySkipThoseThatAreNotSelected)
+{
+  // 4 -> 3 -> 2 -> 0 and 1 -> 3
+  const std::vector<Constriction> given = {figures(0.2), figures(0.3, 0.1, {3}), figures(0.01, 0.1, {0}),
+                                           figures(0.02, 0.1, {2}), figures(0.4, 0.1, {3})};
+  std::vector<Constriction> selected;
+  SMC::select_by_prominence(given, std::back_inserter(selected));
+  ASSERT_EQ(selected.size(), 3u); // 4, 1 and 0
+  ASSERT_TRUE(selected[0].dominated_by());
+  EXPECT_EQ(*selected[0].dominated_by(), 2u);
+  ASSERT_TRUE(selected[1].dominated_by());
+  EXPECT_EQ(*selected[1].dominated_by(), 2u);
+  EXPECT_FALSE(selected[2].dominated_by());
+}
+
+Mesh read(const std::string& name)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name, mesh))
+    ADD_FAILURE() << "cannot read " << name;
+  return mesh;
+}
+
+TEST(Selection, FromAllThatWereFoundItIsWhatTheDetectionSelects)
+{
+  const Mesh mesh = read("dino.off");
+  std::vector<Constriction> all, direct, later, now;
+  SMC::detect_constrictions(mesh, std::back_inserter(all), params::all_constrictions(true));
+  SMC::detect_constrictions(mesh, std::back_inserter(direct), params::minimum_prominence(0.2));
+  SMC::select_by_prominence(all, std::back_inserter(later), params::minimum_prominence(0.2));
+  SMC::select_constrictions(mesh, all, std::back_inserter(now), params::minimum_prominence(0.2));
+  ASSERT_GE(direct.size(), 5u);
+  ASSERT_EQ(later.size(), direct.size());
+  ASSERT_EQ(now.size(), direct.size());
+  for(std::size_t i = 0; i < direct.size(); ++i)
+  {
+    EXPECT_EQ(later[i].length(), direct[i].length());
+    EXPECT_EQ(later[i].dominated_by(), direct[i].dominated_by());
+    EXPECT_EQ(now[i].length(), direct[i].length());
+    if(direct[i].dominated_by())
+    {
+      ASSERT_LT(*direct[i].dominated_by(), direct.size());
+      EXPECT_LE(direct[*direct[i].dominated_by()].length(), direct[i].length());
+    }
+  }
+}
+
+TEST(Selection, ACactusHasItsTrunkAndItsArms)
+{
+  std::vector<Constriction> curves;
+  SMC::detect_constrictions(read("cactus.off"), std::back_inserter(curves));
+  ASSERT_EQ(curves.size(), 3u);
+  EXPECT_NEAR(curves[0].length(), 0.599, 0.001);
+  EXPECT_NEAR(curves[1].length(), 0.284, 0.001);
+  EXPECT_NEAR(curves[2].length(), 0.291, 0.001);
+}
+
+TEST(Selection, NoiseAndAnotherTriangulationKeepTheNecks)
+{
+  const auto radius = [](double s) { return 0.7 - 0.3 * std::cos(4 * CGAL_PI * (s - 0.5)) + 1e-3 * s; };
+  for(unsigned seed = 0; seed < 4; ++seed)
+    for(int around : {14, 25})
+    {
+      const test_meshes::Soup soup = test_meshes::revolution(radius, 6, 2 * around, around, 0.01, seed);
+      std::vector<Constriction> curves;
+      SMC::detect_constrictions(test_meshes::make_mesh(soup), std::back_inserter(curves));
+      ASSERT_EQ(curves.size(), 1u);
+      EXPECT_NEAR(curves[0].length(), 2 * CGAL_PI * 0.4, 0.1);
+      EXPECT_NEAR(curves[0].prominence(), 1.5, 0.15);
+    }
+}
+
+} // namespace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_SELECTION_PARAMETERS_H
+#define CONSTRICTIONS_SELECTION_PARAMETERS_H
+
+#include "options.h"
+
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
+
+namespace constrictions {
+
+/// named parameters for a selection, in front of others.
+template <class NamedParameters>
+auto with_selection(const Selection& selection, const NamedParameters& np)
+{
+  namespace SMC = CGAL::Surface_mesh_constrictions;
+  namespace params = SMC::parameters;
+  return params::minimum_prominence(
+      selection.minimum_prominence.value_or(SMC::default_minimum_prominence),
+      params::maximum_isoperimetric_ratio(
+          selection.maximum_ratio.value_or(SMC::default_maximum_isoperimetric_ratio),
+          params::maximum_number_of_constrictions(selection.maximum_number,
+                                                  params::all_constrictions(selection.all, np))));
+}
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_SELECTION_PARAMETERS_H
