@@ -9,8 +9,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace constrictions {
 
@@ -20,7 +23,7 @@ typedef nlohmann::json Json;
 typedef CGAL::Surface_mesh_constrictions::Constriction<Mesh> Constriction;
 typedef Constriction::Location Location;
 
-// What is written as zero with ten digits or more.
+// Below this a coordinate is what rounding has left of a zero.
 const double zero_tolerance = 1e-9;
 
 Json parse(const Input_file& file)

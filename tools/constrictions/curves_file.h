@@ -29,7 +29,8 @@ struct Curves
 /// - "id", which may be missing: then it is the curve's place, counted from 0.
 ///
 /// Which of its two faces an edge is crossed from follows from the neighbouring points, or, where these leave a doubt,
-/// is the face that is given. A curve without pivots that has only its locations and its length is returned for each.
+/// is the face that is given. Of the curves that are returned only the locations and the length are filled in; the
+/// length is that of the polygon through the points as they are given.
 ///
 /// \param name the file
 /// \param mesh what the curves lie on

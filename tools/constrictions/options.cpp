@@ -29,8 +29,8 @@ const char* const examples =
     "  constrictions certify bone.ply --curves result/constrictions.json\n"
     "      proves with exact arithmetic that the curves are constrictions, or says what is wrong with them\n"
     "\n"
-    "Exit codes: 0 done (there may be no constrictions), 1 the input is not a usable mesh or a curve is not certified,\n"
-    "2 wrong usage, 3 an output could not be written.\n";
+    "Exit codes: 0 done (there may be no constrictions), 1 the input is not a usable mesh, or a curve is not\n"
+    "certified, 2 wrong usage, 3 an output could not be written.\n";
 
 std::string not_empty(const std::string& name)
 {
@@ -74,8 +74,8 @@ void add_certify_options(CLI::App& command, Options& options)
   add_mesh(command, options);
   command
       .add_option("--curves", options.curves,
-                  "closed curves on the mesh: a JSON file as detect and tighten write it, of which the locations and "
-                  "pivots are read")
+                  "closed curves on the mesh: the locations and pivots of a JSON file as detect and tighten write "
+                  "it")
       ->type_name("FILE")
       ->required()
       ->check(not_empty);
