@@ -60,6 +60,7 @@ public:
       finding = m_certifier.examine(curve);
       signs = signs + finding.certificate.signs;
     }
+    m_corrected += is_changed;
     if(finding.certificate.verdict == Certificate_verdict::CONSTRICTION)
     {
       Exact_curve& left = finding.band_ends[0].empty() ? curve : finding.band_ends[0];
@@ -69,7 +70,6 @@ public:
     }
     if(is_changed)
     {
-      m_corrected += finding.certificate.verdict != Certificate_verdict::CONSTRICTION;
       std::vector<Arc> arcs = measured(curve);
       network.set_arcs(c, arcs);
     }
