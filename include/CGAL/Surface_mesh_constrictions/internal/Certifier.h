@@ -54,6 +54,12 @@ public:
     return result;
   }
 
+  // Whether a curve of straight arcs is proved not to cross or touch itself.
+  bool is_simple(const std::vector<Arc>& arcs)
+  {
+    return Exact_simplicity<Surface>(m_prover, arcs).find().verdict == Certificate_verdict::NOT_COMPUTED;
+  }
+
   // NOT_STRAIGHT, TIE_NOT_PROVED, or NOT_COMPUTED if the arc is straight: the ends of each portal lie strictly on their
   // sides of the line from the one end of the arc to the other.
   Finding<Surface> examine_arc(const std::vector<Arc>& arcs, std::size_t i)

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -63,9 +64,7 @@ public:
     m_corrected += is_changed;
     if(finding.certificate.verdict == Certificate_verdict::CONSTRICTION)
     {
-      Exact_curve& left = finding.band_ends[0].empty() ? curve : finding.band_ends[0];
-      Exact_curve& right = finding.band_ends[1].empty() ? curve : finding.band_ends[1];
-      curve = smallest_pivot(left) <= smallest_pivot(right) ? left : right;
+      curve = canonical_copy(curve, finding.band_ends);
       is_changed = true;
     }
     if(is_changed)
@@ -118,6 +117,22 @@ private:
     for(const Exact& a : curve)
       v = (std::min)(v, a.from);
     return v;
+  }
+
+  // Of the two ends of the band that holds a curve, the one with the smaller vertex, unless it touches itself there. A
+  // band without an end on one side ends with the curve.
+  Exact_curve canonical_copy(const Exact_curve& curve, const std::array<Exact_curve, 2>& band_ends)
+  {
+    std::array<const Exact_curve*, 2> ends = {{&band_ends[0], &band_ends[1]}};
+    for(const Exact_curve*& end : ends)
+      if(end->empty())
+        end = &curve;
+    if(smallest_pivot(*ends[1]) < smallest_pivot(*ends[0]))
+      std::swap(ends[0], ends[1]);
+    for(const Exact_curve* end : ends)
+      if(m_certifier.is_simple(*end))
+        return *end;
+    return curve;
   }
 
   // One step. False if there is nothing to correct, or no way.
