@@ -16,6 +16,7 @@
 #include <array>
 #include <sstream>
 #include <string>
+#include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
@@ -26,9 +27,18 @@ namespace internal {
 typedef std::array<Interval_nt<false>, 3> Interval_point;
 typedef std::array<Rational, 3> Rational_point;
 
+// Called while rounding is upward; what number types other than the built-in ones compute relies on rounding to the
+// nearest.
 template <class Point>
 Interval_point interval_point(const Point& p)
 {
+  typedef std::decay_t<decltype(p.x())> Coordinate;
+  if constexpr(!std::is_arithmetic<Coordinate>::value)
+  {
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+    return {{Interval_nt<false>(CGAL::to_interval(p.x())), Interval_nt<false>(CGAL::to_interval(p.y())),
+             Interval_nt<false>(CGAL::to_interval(p.z()))}};
+  }
   return {{Interval_nt<false>(CGAL::to_interval(p.x())), Interval_nt<false>(CGAL::to_interval(p.y())),
            Interval_nt<false>(CGAL::to_interval(p.z()))}};
 }
