@@ -279,8 +279,8 @@ TEST(Detection, TheVisitorHearsOfTheStagesInOrder)
   SMC::detect_constrictions(test_meshes::make_mesh(test_meshes::dumbbell(0.05, 2)), std::back_inserter(result),
                             CGAL::parameters::visitor(Listener{&events, &last}));
   EXPECT_EQ(events, (std::vector<std::string>{"begin 0", "end 0", "begin 1", "end 1", "begin 2", "end 2",
-                                              "begin 3", "end 3", "statistics"}));
-  ASSERT_EQ(last.size(), 4u);
+                                              "begin 3", "end 3", "begin 4", "end 4", "statistics"}));
+  ASSERT_EQ(last.size(), 5u);
   EXPECT_GT(last[0], 100u);
   EXPECT_EQ(last[1], last[0]);
   EXPECT_GT(last[2], 0u);
