@@ -6,6 +6,13 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_arithmetic.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Multiprecision_interval.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Planar.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact_arcs_of_locations.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -13,11 +20,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -110,31 +119,83 @@ TEST(Certificates, ExactArithmeticCorrectsMachineParts)
   }
 }
 
+typedef CGAL::Interval_nt<false> Interval;
+typedef internal::Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point> > Surface;
+
+const Interval pi(CGAL_PI, std::nextafter(CGAL_PI, 4.)); // the double nearest to pi is less than pi
+
+double arc_tangent(double y, double x, mpfr_rnd_t rounding)
+{
+  internal::Multiprecision_number a(53), b(53), result(53);
+  mpfr_set_d(a.get(), y, MPFR_RNDN);
+  mpfr_set_d(b.get(), x, MPFR_RNDN);
+  mpfr_atan2(result.get(), a.get(), b.get(), rounding);
+  return mpfr_get_d(result.get(), rounding);
+}
+
+// Bounds of the angle in [0, pi] of a complex number: with y not negative it is monotone in x, and in y.
+Interval angle(const internal::Planar<Interval>& z)
+{
+  double low = 4, high = 0;
+  for(double x : {z.x().inf(), z.x().sup()})
+    for(double y : {(std::max)(z.y().inf(), 0.), (std::max)(z.y().sup(), 0.)})
+    {
+      low = (std::min)(low, arc_tangent(y, x, MPFR_RNDD));
+      high = (std::max)(high, arc_tangent(y, x, MPFR_RNDU));
+    }
+  return Interval(low, high);
+}
+
+// Bounds of the side angles of a certified curve, added up over its pivots; each goes counterclockwise from one arc
+// to the other.
+Interval sum_of_side_angles(const Surface& surface, const internal::Interval_arithmetic<Surface>& arithmetic,
+                            const std::vector<internal::Exact_arc<Surface> >& arcs, Curve_side side)
+{
+  Interval sum(0);
+  for(std::size_t i = 0; i < arcs.size(); ++i)
+  {
+    const auto &incoming = arcs[(i + arcs.size() - 1) % arcs.size()], &outgoing = arcs[i];
+    auto first = internal::start_halfedge(surface, outgoing), last = internal::end_halfedge(surface, incoming);
+    auto from = internal::start_direction(surface, arithmetic, outgoing),
+         to = internal::end_direction(surface, arithmetic, incoming);
+    if(side == Curve_side::RIGHT)
+    {
+      std::swap(first, last);
+      std::swap(from, to);
+    }
+    sum += angle(relative(from, arithmetic.corner(first))) + angle(to);
+    for(auto h = internal::ccw(surface, first); h != last; h = internal::ccw(surface, h))
+      sum += angle(arithmetic.corner(h));
+  }
+  return sum;
+}
+
 class GenusZero : public ::testing::TestWithParam<const char*>
 {};
 
 // The angle defects inside each side of a curve on a sphere, and pi minus the side angles, add up to 2 pi; so the
-// defects inside each side add up to at least that.
+// defects inside each side add up to at least that. By intervals, from the points and the combinatorial curve.
 TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
 {
   const Mesh mesh = read<Mesh>(GetParam());
   std::vector<Constriction<Mesh> > found;
   detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
   EXPECT_FALSE(found.empty());
-  std::vector<double> defect(mesh.number_of_vertices());
-  for(Mesh::Vertex_index v : mesh.vertices())
-  {
-    double sum = 0;
-    for(Mesh::Halfedge_index h : halfedges_around_source(v, mesh))
-    {
-      const auto a = mesh.point(mesh.target(h)) - mesh.point(v), b = mesh.point(mesh.target(mesh.next(h))) - mesh.point(v);
-      sum += std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
-    }
-    defect[v] = 2 * CGAL_PI - sum;
-  }
+  const Surface surface(mesh, mesh.points());
+  internal::Sign_prover<Surface> prover(surface);
+  std::vector<std::vector<internal::Exact_arc<Surface> > > arcs;
   for(const auto& c : found)
+    arcs.push_back(internal::arcs_of_locations(prover, c.locations()).arcs);
+
+  Interval::Protector upward;
+  const internal::Interval_arithmetic<Surface> arithmetic(surface);
+  std::vector<Interval> defect(mesh.number_of_vertices(), 2 * pi);
+  for(Mesh::Halfedge_index h : mesh.halfedges())
+    defect[mesh.source(h)] -= angle(arithmetic.corner(h));
+  for(std::size_t number = 0; number < found.size(); ++number)
   {
-    // faces that the curve does not cross, and the vertices that it leaves on either side of an edge
+    const auto& c = found[number];
+    // the vertices that the curve leaves on either side of an edge, and those that can be reached from them
     enum { UNKNOWN, LEFT, RIGHT, PIVOT };
     std::vector<int> side(mesh.number_of_vertices(), UNKNOWN);
     std::map<std::pair<Mesh::size_type, Mesh::size_type>, int> crossings;
@@ -150,13 +211,8 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
         stack.push_back(v);
       side[v] = s;
     };
-    double turning[2] = {0, 0};
     for(const auto& p : c.pivots())
-    {
       side[p.vertex] = PIVOT;
-      turning[0] += CGAL_PI - p.left_angle;
-      turning[1] += CGAL_PI - p.right_angle;
-    }
     const std::size_t n = c.locations().size();
     for(std::size_t i = 0; i < n; ++i)
     {
@@ -185,14 +241,19 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
         put_on(w, changes ? LEFT + RIGHT - side[v] : side[v]);
       }
     }
-    double inside[2] = {0, 0};
+    Interval inside[2] = {0, 0};
     for(Mesh::Vertex_index v : mesh.vertices())
       if(side[v] == LEFT || side[v] == RIGHT)
         inside[side[v] - LEFT] += defect[v];
-    for(int s = 0; s < 2; ++s)
+    for(Curve_side s : {Curve_side::LEFT, Curve_side::RIGHT})
     {
-      EXPECT_NEAR(inside[s] + turning[s], 2 * CGAL_PI, 1e-8);
-      EXPECT_GE(inside[s], 2 * CGAL_PI - 1e-8);
+      const Interval defects = inside[s == Curve_side::LEFT ? 0 : 1];
+      const Interval turning = pi * Interval(static_cast<double>(arcs[number].size())) -
+                               sum_of_side_angles(surface, arithmetic, arcs[number], s);
+      const Interval excess = defects + turning - 2 * pi;
+      EXPECT_TRUE(excess.inf() <= 0 && 0 <= excess.sup()) << excess;
+      EXPECT_LT(excess.sup() - excess.inf(), 1e-7);
+      EXPECT_GE((defects - 2 * pi).sup(), 0);
     }
   }
 }
