@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/Local_cut_locus_source.h>
 #include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions_near.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>

@@ -210,6 +210,35 @@ TEST_F(Program, thresholds_select)
   EXPECT_EQ(count("--max-ratio 0.01 --min-prominence 100 --all"), 1u);
 }
 
+// Two tubes, of width 1 and 2, between three boxes.
+TEST_F(Program, near_a_location)
+{
+  Cubes cubes;
+  cubes.add_box({0, 0, 0}, {4, 4, 4});
+  cubes.add_box({4, 1, 1}, {6, 2, 2});
+  cubes.add_box({6, 0, 0}, {10, 4, 4});
+  cubes.add_box({10, 1, 1}, {12, 3, 3});
+  cubes.add_box({12, 0, 0}, {16, 4, 4});
+  write("chain.off", cubes.off());
+
+  for(const char* policy : {"gh", "lt", "length"})
+    for(const char* location : {"5,1,1.5", "11,1,1.5", "1.05e1,3,2"})
+    {
+      SCOPED_TRACE(location);
+      const Result r = run(std::string("detect chain.off --json - --near ") + location + " --policy " + policy);
+      ASSERT_EQ(r.exit_code, 0) << r.err;
+      const json j = json::parse(r.out);
+      ASSERT_FALSE(j.at("constrictions").empty());
+      EXPECT_NEAR(j["constrictions"][0]["length"].get<double>(), location[0] == '5' ? 4 : 8, 1e-12);
+      EXPECT_EQ(j["constrictions"][0]["seed"]["origin"], "cut_locus");
+    }
+  const json one = json::parse(run("detect chain.off --json - --near 5,1,1.5 --max 1").out);
+  ASSERT_EQ(one.at("constrictions").size(), 1u);
+  EXPECT_NEAR(one["constrictions"][0]["length"].get<double>(), 4, 1e-12);
+  EXPECT_EQ(run("detect chain.off --near -1,2e0,-0.5 -o results").exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder / "results" / "constrictions.json"));
+}
+
 TEST_F(Program, no_certificates)
 {
   const json j = json::parse(run("detect dumbbell.off --no-certify --json -").out);
@@ -306,6 +335,11 @@ TEST_F(Program, wrong_usage)
   expect_wrong_usage("detect dumbbell.off --min-prominence -0.1");
   expect_wrong_usage("detect dumbbell.off --max-ratio nan");
   expect_wrong_usage("certify dumbbell.off");
+  for(const char* location : {"1,2", "a,b,c", "1,2,3,4", "1,,3", "1,2,", "'1;2;3'", "''", "1,2,nan", "inf,2,3", "1e999,2,3"})
+    expect_wrong_usage(std::string("detect dumbbell.off --near ") + location);
+  EXPECT_EQ(run("detect dumbbell.off --near 1,2").err.rfind("--near: give three numbers", 0), 0u);
+  expect_wrong_usage("detect dumbbell.off --near 1 2 3");
+  expect_wrong_usage("detect dumbbell.off --near 1,2,3 --thorough");
   // nothing is overwritten by mistake
   expect_wrong_usage("detect dumbbell.off --json dumbbell.off");
   expect_wrong_usage("detect dumbbell.off --json a.txt --polylines ./a.txt");

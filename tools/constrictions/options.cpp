@@ -3,8 +3,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -24,6 +29,8 @@ const char* const examples =
     "      prints a table of the constrictions of bone.ply\n"
     "  constrictions detect bone.ply -o result\n"
     "      writes result/constrictions.json and result/constrictions.polylines.txt\n"
+    "  constrictions detect hand.ply --near 1.5,0,-2 --max 1\n"
+    "      prints the constriction nearest to a place: the loop around a finger\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
     "  constrictions certify bone.ply --curves result/constrictions.json\n"
@@ -97,7 +104,7 @@ void add_selection_options(CLI::App& command, Selection& selection)
       "");
 
   command.add_flag("--all", selection.all, "report every distinct closed geodesic found, no selection");
-  command.add_option("--max", selection.maximum_number, "report the N most prominent at most")
+  command.add_option("--max", selection.maximum_number, "report the N most prominent at most, or the N nearest")
       ->type_name("N")
       ->check(not_negative);
   command
@@ -112,6 +119,38 @@ void add_selection_options(CLI::App& command, Selection& selection)
                   "the equator of a sphere")
       ->type_name("R")
       ->check(not_negative);
+}
+
+// Three numbers separated by commas.
+std::optional<std::array<double, 3> > parse_location(const std::string& text)
+{
+  std::array<double, 3> location;
+  const char *begin = text.data(), *const end = begin + text.size();
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    const std::from_chars_result r = std::from_chars(begin, end, location[i]);
+    const bool is_last = i == 2;
+    if(r.ec != std::errc() || !std::isfinite(location[i]) || (r.ptr == end) != is_last || (!is_last && *r.ptr != ','))
+      return std::nullopt;
+    begin = r.ptr + 1;
+  }
+  return location;
+}
+
+void add_near_option(CLI::App& command, Search& search)
+{
+  const CLI::Validator is_location(
+      [](const std::string& text) {
+        return parse_location(text) ? "" : "give three numbers separated by commas, as in 0.5,-1,2e3";
+      },
+      "");
+  command
+      .add_option_function<std::string>(
+          "--near", [&search](const std::string& text) { search.location = parse_location(text); },
+          "report the curves near this location, the nearest first: the loop around an arm. Unless --min-prominence "
+          "is given, weak ones too")
+      ->type_name("X,Y,Z")
+      ->check(is_location);
 }
 
 // Files that would overwrite each other or the input are a mistake on the command line.
@@ -179,8 +218,11 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
       ->check(CLI::IsMember({"gh", "lt", "length"}).description(""));
 
   add_selection_options(detect, options.selection);
-  detect.add_flag("--thorough", options.search.thorough,
-                  "search with all sources of seed curves: finds most constrictions, and takes several times longer");
+  add_near_option(detect, options.search);
+  detect
+      .add_flag("--thorough", options.search.thorough,
+                "search with all sources of seed curves: finds most constrictions, and takes several times longer")
+      ->excludes("--near");
 
   CLI::App& tighten = *app.add_subcommand("tighten", "shorten given loops until they are constrictions");
   add_common_options(tighten, options);
@@ -203,6 +245,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
     options.policy = policy == "gh"   ? Policy::GARLAND_HECKBERT
                      : policy == "lt" ? Policy::LINDSTROM_TURK
                                       : Policy::EDGE_LENGTH;
+    if(options.search.location && !options.selection.minimum_prominence)
+      options.selection.minimum_prominence = 0;
     check_files(options);
   }
   catch(const CLI::ParseError& e)

@@ -2,6 +2,7 @@
 #ifndef CONSTRICTIONS_OPTIONS_H
 #define CONSTRICTIONS_OPTIONS_H
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -28,6 +29,7 @@ struct Search
 {
   bool thorough = false; ///< with all seed sources
   bool certifies = true;
+  std::optional<std::array<double, 3> > location; ///< near which, instead of everywhere
 };
 
 /// What the user asks for. A file or folder that was not asked for has an empty name.

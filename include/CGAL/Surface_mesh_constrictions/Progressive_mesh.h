@@ -176,6 +176,15 @@ public:
   /// whether `f` is a face of the current surface
   bool is_face(Index f) const { return m_face_end[f] >= m_level; }
 
+  /// the vertex of the current surface that the vertex `v` of T^0 has been merged into. Linear in the number of its
+  /// merges.
+  Index representative(Index v) const
+  {
+    while(m_vertex_end[v] < m_level)
+      v = split_of(m_records[m_vertex_end[v]]).kept;
+    return v;
+  }
+
   /// the position of a vertex on the current surface
   const Point& point(Index v) const { return m_points[v]; }
 

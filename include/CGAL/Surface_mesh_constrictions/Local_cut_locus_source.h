@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_LOCAL_CUT_LOCUS_SOURCE_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_LOCAL_CUT_LOCUS_SOURCE_H
+
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Cut_locus.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Shortest_path_tree.h>
+#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
+
+#include <boost/container_hash/hash.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Seed source that writes the loops of `cut_locus_seeds_at_vertex()` of the surface with a given number of vertices,
+/// each once, for the vertex that a given vertex of T^0 has been merged into and those around it.
+///
+/// The vertices around are needed where the given one is the tip of a limb: the loops through a tip shrink to a point,
+/// those through the vertices further down go around the limb.
+///
+/// \cost O(size of T^0) for the ids, plus for each root O(n log n), for the given number n of vertices
+///
+/// \sa `detect_constrictions_near()`
+class Local_cut_locus_source
+{
+public:
+  /// \param vertex a vertex of T^0, numbered as it comes in `vertices(tm)`
+  /// \param vertices the number of vertices of the surface that the loops are looked for on
+  /// \param max_roots the vertices that are nearest to the given one, along edges, are roots, so many at most
+  explicit Local_cut_locus_source(Index vertex, std::size_t vertices = 1000, std::size_t max_roots = 64)
+    : m_vertex(vertex), m_vertices(vertices), m_max_roots(max_roots)
+  {}
+
+  template <class OutputIterator>
+  OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
+  {
+    if(!is_level_with(pm, level, m_vertices))
+      return out;
+    const internal::Edge_graph graph(pm);
+    internal::Cut_locus cut_locus(graph);
+    std::unordered_set<std::vector<Index>, boost::hash<std::vector<Index> >> known;
+    for(Index root : roots(graph, graph.number(pm.representative(m_vertex))))
+      cut_locus.for_each_loop(root, [&](const std::vector<Index>& loop) {
+        if(known.insert(loop).second)
+          *out++ = Seed_curve{pm.level(), loop, Seed_origin::CUT_LOCUS};
+      });
+    return out;
+  }
+
+private:
+  // The vertices of the graph that are nearest to one of them, nearest first.
+  std::vector<Index> roots(const internal::Edge_graph& graph, Index center) const
+  {
+    internal::Shortest_path_tree tree(graph);
+    tree.grow(center);
+    std::vector<Index> result;
+    for(Index v = 0; v < graph.number_of_vertices(); ++v)
+      if(tree.is_reached(v))
+        result.push_back(v);
+    std::stable_sort(result.begin(), result.end(),
+                     [&tree](Index u, Index v) { return tree.distance(u) < tree.distance(v); });
+    if(result.size() > m_max_roots)
+      result.resize(m_max_roots);
+    return result;
+  }
+
+  Index m_vertex;
+  std::size_t m_vertices, m_max_roots;
+};
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_LOCAL_CUT_LOCUS_SOURCE_H

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_DETECT_CONSTRICTIONS_NEAR_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_DETECT_CONSTRICTIONS_NEAR_H
+
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+#include <CGAL/Surface_mesh_constrictions/Local_cut_locus_source.h>
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Query_location.h>
+#include <CGAL/Surface_mesh_constrictions/internal/reordered.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Forwards to a detection visitor all but the statistics, which it keeps.
+template <class Visitor>
+struct Statistics_keeper
+{
+  const Visitor& visitor;
+  Detection_statistics& statistics;
+
+  void on_stage_begin(Detection_stage stage, std::size_t steps) const { visitor.on_stage_begin(stage, steps); }
+  void on_step(Detection_stage stage, std::size_t done) const { visitor.on_step(stage, done); }
+  void on_stage_end(Detection_stage stage) const { visitor.on_stage_end(stage); }
+  void on_end(const Detection_statistics& s) const { statistics = s; }
+};
+
+} // namespace internal
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// finds the constrictions near a location: "the loop around this arm".
+///
+/// It is `detect_constrictions()` with seeds that pass through the location: the loops of `Local_cut_locus_source` at the
+/// vertex of `tm` that is nearest to `location`. The constrictions that the seeds lead to are written in the order of
+/// \f$d (1 + d/L) + L/10\f$, where \f$L\f$ is the length and \f$d\f$ the distance in space from the location, less the
+/// width of the flat band if there is one: the nearest first, but of two that are about as near the shorter one, and one
+/// that is several times its length away late.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam Point a 3D point, of any kernel
+/// \tparam OutputIterator takes `Constriction<TriangleMesh>`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
+/// \param tm a closed triangle mesh, as for `detect_constrictions()`
+/// \param location a point on the surface or near it
+/// \param out the constrictions, the nearest first. The places that `Constriction::dominated_by()` and
+///        `Constriction::crosses()` name are those in this sequence, and prominences are with respect to the
+///        constrictions that these seeds lead to.
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
+///        `detect_constrictions()`, with these differences:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{minimum_prominence}
+///     \cgalParamDescription{the prominence that a constriction has at least}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0: around a tube that does not widen there are only constrictions of small prominence, and
+///                       one of them is what is asked for}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_constrictions}
+///     \cgalParamDescription{how many constrictions are written at most, the nearest ones}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{no limit}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{seed_sources}
+///     \cgalParamDescription{not looked at, like `seed_detection` and `first_constriction_only`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \throws Invalid_input for a mesh that cannot be used, and for a location with a coordinate that is no finite number
+/// \cost that of `detect_constrictions()` with the seeds of 64 roots: hardly more than that of the simplification
+///
+/// \sa `detect_constrictions()`
+/// \sa `Local_cut_locus_source`
+template <class TriangleMesh, class Point, class OutputIterator,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& location, OutputIterator out,
+                                         const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto vpm =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
+  const auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Detection_visitor_base());
+  const std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
+  const std::size_t maximum_number =
+      choose_parameter(get_parameter(np, internal_np::maximum_number_of_constrictions), no_limit);
+  const double minimum_prominence = choose_parameter(get_parameter(np, internal_np::minimum_prominence), 0.0);
+
+  const internal::Query_location<TriangleMesh, std::decay_t<decltype(vpm)> > query(tm, vpm, location);
+  typedef internal::Statistics_keeper<std::decay_t<decltype(visitor)> > Keeper;
+  Detection_statistics statistics;
+  const Named_function_parameters<Keeper, internal_np::visitor_t, NamedParameters> kept(Keeper{visitor, statistics}, np);
+  const auto selection = parameters::minimum_prominence(
+      minimum_prominence, parameters::maximum_number_of_constrictions(no_limit, kept));
+  std::vector<Constriction<TriangleMesh> > found;
+  detect_constrictions(tm, std::back_inserter(found),
+                       parameters::seed_sources(Local_cut_locus_source(query.nearest_vertex()),
+                                                parameters::first_constriction_only(false, selection)));
+
+  std::vector<double> nearness;
+  for(const Constriction<TriangleMesh>& c : found)
+  {
+    const double distance = (std::max)(0.0, query.distance(c) - c.flat_band_width());
+    nearness.push_back(distance * (1 + distance / c.length()) + c.length() / 10);
+  }
+  std::vector<std::size_t> order(found.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&nearness](std::size_t i, std::size_t j) { return nearness[i] < nearness[j]; });
+  const std::vector<Constriction<TriangleMesh> > result = internal::reordered(found, order, maximum_number);
+
+  statistics.not_selected += found.size() - result.size();
+  visitor.on_end(statistics);
+  return std::copy(result.begin(), result.end(), out);
+}
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_DETECT_CONSTRICTIONS_NEAR_H

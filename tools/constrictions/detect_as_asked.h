@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_DETECT_AS_ASKED_H
+#define CONSTRICTIONS_DETECT_AS_ASKED_H
+
+#include "chosen_seed_sources.h"
+#include "options.h"
+#include "report.h"
+#include "selection_parameters.h"
+
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions_near.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+
+#include <iterator>
+#include <vector>
+
+namespace constrictions {
+
+/// the constrictions of the whole mesh, or those near the location asked for. `np` holds the policies of the
+/// simplification and the visitor.
+template <class NamedParameters>
+std::vector<Constriction> detect_as_asked(const Mesh& mesh, const Selection& selection, const Search& search,
+                                          const NamedParameters& np)
+{
+  namespace SMC = CGAL::Surface_mesh_constrictions;
+
+  std::vector<Constriction> result;
+  const auto selected = with_selection(selection, np);
+  if(search.location)
+  {
+    const Mesh::Point location((*search.location)[0], (*search.location)[1], (*search.location)[2]);
+    SMC::detect_constrictions_near(mesh, location, std::back_inserter(result),
+                                   SMC::parameters::certify(search.certifies, selected));
+  }
+  else
+    SMC::detect_constrictions(mesh, std::back_inserter(result),
+                              SMC::parameters::certify(search.certifies, with_seed_sources(search.thorough, selected)));
+  return result;
+}
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_DETECT_AS_ASKED_H
