@@ -25,7 +25,7 @@ std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Select
                             .visitor(Monitoring_visitor(monitor));
   const auto selected = with_selection(selection, policies);
   SMC::detect_constrictions(mesh, std::back_inserter(result),
-                            SMC::parameters::certify(search.certifies, with_seed_sources(search.thorough, selected)));
+                            SMC::parameters::certify(search.certifies, with_seed_sources(search.triangles_only, selected)));
   return result;
 }
 

@@ -18,7 +18,7 @@ std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const S
   std::vector<Constriction> result;
   const auto selected = with_selection(selection, CGAL::parameters::visitor(Monitoring_visitor(monitor)));
   SMC::detect_constrictions(mesh, std::back_inserter(result),
-                            SMC::parameters::certify(search.certifies, with_seed_sources(search.thorough, selected)));
+                            SMC::parameters::certify(search.certifies, with_seed_sources(search.triangles_only, selected)));
   return result;
 }
 

@@ -179,8 +179,13 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
       ->check(CLI::IsMember({"gh", "lt", "length"}).description(""));
 
   add_selection_options(detect, options.selection);
-  detect.add_flag("--thorough", options.search.thorough,
-                  "search with all sources of seed curves: finds most constrictions, and takes several times longer");
+  std::string seeds = "all";
+  detect
+      .add_option("--seeds", seeds,
+                  "where the search starts: all from several kinds of closed curves on the simplified mesh (default), "
+                  "triangles from three edges without a face only, which is faster and misses more")
+      ->type_name("all|triangles")
+      ->check(CLI::IsMember({"all", "triangles"}).description(""));
 
   CLI::App& tighten = *app.add_subcommand("tighten", "shorten given loops until they are constrictions");
   add_common_options(tighten, options);
@@ -203,6 +208,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
     options.policy = policy == "gh"   ? Policy::GARLAND_HECKBERT
                      : policy == "lt" ? Policy::LINDSTROM_TURK
                                       : Policy::EDGE_LENGTH;
+    options.search.triangles_only = seeds == "triangles";
     check_files(options);
   }
   catch(const CLI::ParseError& e)
