@@ -84,8 +84,8 @@ inline std::vector<std::size_t> coarsest_first(const std::vector<Seed_curve>& se
 }
 
 // Of those closed geodesics the ones that may be asked for, as far as this level tells. Curves that are not simple here
-// may be on a finer level. If there is a copy of a coarse level, prominences are measured there. Cost: the areas and
-// prominences that are needed.
+// may be on a finer level. If there is a copy of a coarser level prominences are measured there, and curves that are not
+// there may be asked for. Cost: that of the areas and prominences.
 inline std::vector<Index> curves_asked_for(const Curve_network& network, const Merging_parameters& parameters,
                                            const Level_copy* coarse)
 {
@@ -120,10 +120,14 @@ inline std::vector<Index> curves_asked_for(const Curve_network& network, const M
     result.insert(result.end(), simple.begin(), simple.end());
   else
   {
-    const std::vector<Prominence> p =
-        coarse == nullptr ? prominences(pm, traces) : prominences(pm, *coarse, traces);
+    std::vector<Prominence> p(simple.size());
+    std::vector<bool> is_unknown(simple.size(), false);
+    if(coarse == nullptr)
+      p = prominences(pm, traces);
+    else
+      is_unknown = add_coarse_prominences(pm, *coarse, traces, p);
     for(std::size_t i = 0; i < simple.size(); ++i)
-      if(p[i].value >= parameters.minimum_prominence)
+      if(is_unknown[i] || p[i].value >= parameters.minimum_prominence)
         result.push_back(simple[i]);
   }
   std::sort(result.begin(), result.end());

@@ -94,14 +94,15 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm,
   return result;
 }
 
-// A curve of T^0 is looked for on a coarse level by a closed geodesic of it that is no more than this longer or shorter.
+// A curve is looked for on a coarse level by a closed geodesic of it that is no more than this longer or shorter.
 constexpr double coarse_length_tolerance = 0.1;
 
-// As above, with what lies between the curves measured on a coarse level, wherever they are there: where tightening
-// leads to a simple closed geodesic of about the same length. Curves that are the same there have no barrier between
-// them: the shortest dominates the others. The prominences of curves that are not there are measured on T^0.
-inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Level_copy& coarse,
-                                           const std::vector<std::vector<Trace_point> >& traces)
+// Measures what lies between closed geodesics on a coarse level, of those that are there: where tightening leads to a
+// simple closed geodesic of about the same length. Curves that are the same there have no barrier between them: the
+// shortest dominates the others. Returns for each curve whether it is not there; then nothing is written for it.
+inline std::vector<bool> add_coarse_prominences(const Progressive_mesh& pm, const Level_copy& coarse,
+                                                const std::vector<std::vector<Trace_point> >& traces,
+                                                std::vector<Prominence>& result)
 {
   const Progressive_mesh& surface = coarse.surface();
   std::vector<double> lengths;
@@ -112,11 +113,10 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Lev
   Tightener tightener(network, Length_unit(surface));
   tightener.fix_level();
   Tightening_basins basins(network, tightener);
-  std::vector<Prominence> result(traces.size(), {0, null_index, {}});
   std::vector<std::vector<Trace_point> > on_coarse;
   std::vector<Index> curves; // those that are there
   std::unordered_map<Index, Index> first_in_network; // of those, by what they are there
-  std::vector<bool> is_fine(traces.size(), false);
+  std::vector<bool> is_missing(traces.size(), false);
   for(Index i : by_length(lengths))
   {
     const std::vector<Index> path = coarse.path(pm, traces[i]);
@@ -124,7 +124,7 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Lev
     const auto known = end == null_index ? first_in_network.end() : first_in_network.find(end);
     if(known != first_in_network.end())
     {
-      result[i].dominated_by = known->second;
+      result[i] = {0, known->second, {}};
       continue;
     }
     if(end != null_index && std::abs(network.length(end) / lengths[i] - 1) <= coarse_length_tolerance)
@@ -138,7 +138,7 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Lev
         continue;
       }
     }
-    is_fine[i] = true;
+    is_missing[i] = true;
   }
 
   std::vector<Prominence> of_coarse = prominences(surface, on_coarse);
@@ -150,8 +150,18 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Lev
     for(Index& a : p.crosses)
       a = curves[a];
   }
-  if(std::find(is_fine.begin(), is_fine.end(), true) != is_fine.end())
-    add_prominences(pm, traces, is_fine, result);
+  return is_missing;
+}
+
+// Prominences of closed geodesics of T^0 among each other, in their order: on a coarse level of those that are there, on
+// T^0 of the others.
+inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Level_copy& coarse,
+                                           const std::vector<std::vector<Trace_point> >& traces)
+{
+  std::vector<Prominence> result(traces.size());
+  const std::vector<bool> is_missing = add_coarse_prominences(pm, coarse, traces, result);
+  if(std::find(is_missing.begin(), is_missing.end(), true) != is_missing.end())
+    add_prominences(pm, traces, is_missing, result);
   return result;
 }
 
