@@ -63,13 +63,15 @@ struct Refinement_progress
   : public Refinement_visitor_base
 {
   const Visitor& visitor;
-  std::size_t levels;
+  std::size_t levels, done = 0;
 
   Refinement_progress(const Visitor& visitor, std::size_t levels) : visitor(visitor), levels(levels) {}
   void on_level(std::size_t level)
   {
-    if(level < levels)
-      visitor.on_step(Detection_stage::REFINEMENT, levels - level);
+    if(levels - level <= done)
+      return;
+    done = levels - level;
+    visitor.on_step(Detection_stage::REFINEMENT, done);
   }
 };
 
