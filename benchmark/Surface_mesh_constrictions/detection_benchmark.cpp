@@ -4,8 +4,9 @@
 //
 // Meshes: a generated chain of necks with about 1,000, 10,000, 100,000 and 800,000 faces; and, with
 // CONSTRICTIONS_MESH_DIR in the environment, its armadillo.off after 0, 1 and 2 Loop subdivisions.
-// Counters: faces, curves; certify_percent is the share of the detection's time; peak_MB is what the process's peak memory rose to, which only means something if one
-// benchmark is run alone (--benchmark_filter).
+// Counters: faces, curves; the times of finding seeds, refinement, tightening and selection, in percent of that of the
+// simplification, and of certification, in percent of the whole; peak_MB is what the process's peak memory rose to, which
+// only means something if one benchmark is run alone (--benchmark_filter).
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 
@@ -21,7 +22,9 @@
 
 #include <sys/resource.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <ctime>
 #include <iterator>
@@ -123,45 +126,49 @@ void edge_collapse_alone(benchmark::State& state)
   report(state, mesh);
 }
 
-// Adds up the processor time of certification.
-struct Certification_clock : public SMC::Detection_visitor_base
+// Adds up the processor time of the stages.
+struct Stage_clock : public SMC::Detection_visitor_base
 {
-  std::clock_t* begin;
-  double* seconds;
-
-  Certification_clock(std::clock_t* begin, double* seconds) : begin(begin), seconds(seconds) {}
-
-  void on_stage_begin(SMC::Detection_stage stage, std::size_t) const
+  struct Times
   {
-    if(stage == SMC::Detection_stage::CERTIFICATION)
-      *begin = std::clock();
-  }
+    std::clock_t begin = 0;
+    std::array<double, 6> seconds = {0, 0, 0, 0, 0, 0};
 
+    double operator[](SMC::Detection_stage stage) const { return seconds[static_cast<std::size_t>(stage)]; }
+  };
+  Times* times;
+
+  explicit Stage_clock(Times& times) : times(&times) {}
+  void on_stage_begin(SMC::Detection_stage, std::size_t) const { times->begin = std::clock(); }
   void on_stage_end(SMC::Detection_stage stage) const
   {
-    if(stage == SMC::Detection_stage::CERTIFICATION)
-      *seconds += static_cast<double>(std::clock() - *begin) / CLOCKS_PER_SEC;
+    times->seconds[static_cast<std::size_t>(stage)] +=
+        static_cast<double>(std::clock() - times->begin) / CLOCKS_PER_SEC;
   }
 };
 
 void whole_detection(benchmark::State& state)
 {
+  using SMC::Detection_stage;
   const Mesh& mesh = mesh_of(state);
   if(mesh.is_empty())
     return state.SkipWithError("no armadillo.off in CONSTRICTIONS_MESH_DIR");
   std::vector<SMC::Constriction<Mesh> > constrictions;
-  std::clock_t begin = 0;
-  double certification = 0;
+  Stage_clock::Times times;
   const std::clock_t start = std::clock();
   for(auto _ : state)
   {
     constrictions.clear();
-    SMC::detect_constrictions(mesh, std::back_inserter(constrictions),
-                              CGAL::parameters::visitor(Certification_clock(&begin, &certification)));
+    SMC::detect_constrictions(mesh, std::back_inserter(constrictions), CGAL::parameters::visitor(Stage_clock(times)));
   }
   const double whole = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const double simplification = times[Detection_stage::SIMPLIFICATION];
   report(state, mesh);
-  state.counters["certify_percent"] = 100 * certification / whole;
+  state.counters["seeds_percent"] = 100 * times[Detection_stage::SEEDS] / simplification;
+  state.counters["select_percent"] = 100 * times[Detection_stage::SELECTION] / simplification;
+  state.counters["refine_percent"] = 100 * times[Detection_stage::REFINEMENT] / simplification;
+  state.counters["tighten_percent"] = 100 * times[Detection_stage::TIGHTENING] / simplification;
+  state.counters["certify_percent"] = 100 * times[Detection_stage::CERTIFICATION] / whole;
   state.counters["curves"] = static_cast<double>(constrictions.size());
 }
 

@@ -32,6 +32,7 @@
 #include <CGAL/Surface_mesh_constrictions/section_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/verify_with_shortest_paths.h>
 

@@ -16,6 +16,7 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -234,6 +235,58 @@ TEST(Detection, PoliciesOfTheUserAreUsed)
   EXPECT_FALSE(edge_length.empty());
 }
 
+// Seeds of all simplifications are followed, and each curve is found once. Levels are those of a seed's own simplification.
+TEST(Detection, SeveralPoliciesFindWhatEachOfThemFinds)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.15, 11));
+  const auto find = [&mesh](const auto& policies, SMC::Detection_statistics& s) {
+    std::vector<Constriction> result;
+    SMC::detect_constrictions(
+        mesh, std::back_inserter(result),
+        SMC::parameters::all_constrictions(
+            true, SMC::parameters::simplification_policies(
+                      policies, SMC::parameters::seed_detection(Seed_detection::ON_APPEARANCE,
+                                                                CGAL::parameters::visitor(Statistics_taker(s))))));
+    EXPECT_EQ(s.seeds, s.degenerate + s.not_simple + s.merged + result.size());
+    return lengths(result);
+  };
+  SMC::Detection_statistics g, l, e, all, alone;
+  const std::vector<double> garland = find(SMC::Garland_heckbert_policies(), g);
+  std::vector<double> expected = garland;
+  for(double length : find(SMC::Lindstrom_turk_policies(), l))
+    expected.push_back(length);
+  for(double length : find(SMC::Edge_length_policies(), e))
+    expected.push_back(length);
+  std::sort(expected.begin(), expected.end());
+  const auto is_same = [](double a, double b) { return b - a < 1e-12 * b; };
+  expected.erase(std::unique(expected.begin(), expected.end(), is_same), expected.end());
+  std::vector<double> found = find(
+      std::make_tuple(SMC::Garland_heckbert_policies(), SMC::Lindstrom_turk_policies(), SMC::Edge_length_policies()), all);
+  found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
+  ASSERT_EQ(found.size(), expected.size());
+  EXPECT_GT(found.size(), garland.size());
+  for(std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(found[i], expected[i], 1e-12 * expected[i]);
+  EXPECT_EQ(all.seeds, g.seeds + l.seeds + e.seeds);
+  EXPECT_EQ(all.collapses, g.collapses + l.collapses + e.collapses);
+  EXPECT_EQ(find(std::make_tuple(SMC::Garland_heckbert_policies()), alone), garland);
+}
+
+TEST(Detection, EverySeedIsAccountedForWhenSomeAreDiscardedEarly)
+{
+  for(const test_meshes::Soup& soup : {test_meshes::torus(0.15, 4), test_meshes::dumbbell(0.1, 3, 60, 40)})
+  {
+    SMC::Detection_statistics s;
+    std::vector<Constriction> result;
+    SMC::detect_constrictions(test_meshes::make_mesh(soup), std::back_inserter(result),
+                              CGAL::parameters::visitor(Statistics_taker(s)));
+    EXPECT_GT(s.discarded, 0u);
+    EXPECT_EQ(s.not_certified, 0u);
+    EXPECT_EQ(s.seeds,
+              s.degenerate + s.discarded + s.not_simple + s.merged + s.not_selected + result.size());
+  }
+}
+
 TEST(Detection, TheFirstSeedAloneGivesAtMostOneCurve)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::boxes_with_tube(3));
@@ -279,11 +332,12 @@ TEST(Detection, TheVisitorHearsOfTheStagesInOrder)
   SMC::detect_constrictions(test_meshes::make_mesh(test_meshes::dumbbell(0.05, 2)), std::back_inserter(result),
                             CGAL::parameters::visitor(Listener{&events, &last}));
   EXPECT_EQ(events, (std::vector<std::string>{"begin 0", "end 0", "begin 1", "end 1", "begin 2", "end 2",
-                                              "begin 3", "end 3", "begin 4", "end 4", "statistics"}));
-  ASSERT_EQ(last.size(), 5u);
+                                              "begin 3", "end 3", "begin 4", "end 4", "begin 5", "end 5", "statistics"}));
+  ASSERT_EQ(last.size(), 6u);
   EXPECT_GT(last[0], 100u);
   EXPECT_EQ(last[1], last[0]);
-  EXPECT_GT(last[2], 0u);
+  EXPECT_EQ(last[2], last[0]);
+  EXPECT_GT(last[3], 0u);
 }
 
 TEST(Detection, FaceLocationsAreThePoints)

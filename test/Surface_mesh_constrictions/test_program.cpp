@@ -339,7 +339,7 @@ TEST_F(Program, wrong_usage)
     expect_wrong_usage(std::string("detect dumbbell.off --near ") + location);
   EXPECT_EQ(run("detect dumbbell.off --near 1,2").err.rfind("--near: give three numbers", 0), 0u);
   expect_wrong_usage("detect dumbbell.off --near 1 2 3");
-  expect_wrong_usage("detect dumbbell.off --near 1,2,3 --thorough");
+  expect_wrong_usage("detect dumbbell.off --near 1,2,3 --seeds triangles");
   // nothing is overwritten by mistake
   expect_wrong_usage("detect dumbbell.off --json dumbbell.off");
   expect_wrong_usage("detect dumbbell.off --json a.txt --polylines ./a.txt");

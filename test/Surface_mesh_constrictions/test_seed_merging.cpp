@@ -86,7 +86,9 @@ TEST(MergeSeedCurves, HandsOnEverySeedOnceAndKeepsPathsOfEdges)
   seeds.insert(seeds.begin(), finer.begin(), finer.begin() + 5);
   const std::size_t level = pm.number_of_collapses() - 80;
   std::vector<SMC::Merged_seed> merged;
-  SMC::merge_seed_curves(pm, seeds, level, 3, std::back_inserter(merged));
+  SMC::Merging_parameters parameters;
+  parameters.kept = 3;
+  SMC::merge_seed_curves(pm, seeds, level, parameters, std::back_inserter(merged));
   EXPECT_EQ(pm.level(), level);
   const std::vector<std::size_t> numbers = all_seeds(merged);
   ASSERT_EQ(numbers.size(), seeds.size());
@@ -107,7 +109,7 @@ TEST(MergeSeedCurves, OnTheInputOneSeedIsKeptOfThoseThatMeet)
   SMC::Progressive_mesh pm = simplified(test_meshes::boxes_with_tube(4));
   const std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, 0);
   std::vector<SMC::Merged_seed> merged;
-  SMC::merge_seed_curves(pm, seeds, 0, 12, std::back_inserter(merged));
+  SMC::merge_seed_curves(pm, seeds, 0, SMC::Merging_parameters(), std::back_inserter(merged));
   std::size_t living = 0;
   for(const SMC::Merged_seed& m : merged)
     living += !m.curve.vertices.empty();

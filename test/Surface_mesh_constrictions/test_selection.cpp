@@ -35,6 +35,19 @@ Constriction figures(double prominence, double ratio = 0.1, std::vector<std::siz
   return Constriction(data);
 }
 
+// A constriction that does not separate, and is nothing but these figures.
+Constriction cycle(double length, double prominence, std::vector<std::size_t> homology_class,
+                   std::vector<std::size_t> crosses_oddly, std::vector<std::size_t> crosses = {})
+{
+  Constriction::Data data;
+  data.length = length;
+  data.prominence = prominence;
+  data.homology_class = homology_class;
+  data.crosses = crosses;
+  data.crosses_oddly = crosses_oddly;
+  return Constriction(data);
+}
+
 template <class NamedParameters>
 std::vector<double> select(const std::vector<Constriction>& given, const NamedParameters& np)
 {
@@ -74,6 +87,31 @@ TEST(Selection, OfTwoThatCrossTheMoreProminentIsSelected)
   EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{1, 0.8, 0.7}));
   EXPECT_EQ(select(given, params::crossing_constrictions(true)), (Doubles{1, 0.9, 0.8, 0.7}));
   EXPECT_EQ(select(given, params::all_constrictions(true)), (Doubles{1, 0.9, 0.8, 0.7}));
+}
+
+// A meridian, an equator, and curves that wind around a torus both ways, once and twice around the meridian.
+TEST(Selection, WhatWindsAroundATorusBothWaysIsComposed)
+{
+  const std::vector<Constriction> given = {cycle(4, 0.9, {0, 1}, {1, 2}), cycle(3, 0.5, {1}, {2}), cycle(1, 0.4, {0}, {}),
+                                           cycle(5, 0.3, {1}, {0, 2}, {1}), cycle(2, 0.2, {0}, {0, 1, 3})};
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{0.5, 0.4, 0.2})); // the last is another meridian
+  EXPECT_EQ(select(given, params::crossing_constrictions(true)), (Doubles{0.9, 0.5, 0.4, 0.3, 0.2}));
+}
+
+// Four tubes between two bodies, genus 3: the four holes between neighbouring tubes are independent but for one, which
+// crosses none of the others; it crosses two of the tubes.
+TEST(Selection, ASumOfOthersThatItDoesNotCrossIsNotComposed)
+{
+  std::vector<Constriction> given;
+  for(std::size_t i = 0; i < 3; ++i) // meridians of three tubes; that of the fourth is their sum
+    given.push_back(cycle(1 + 0.01 * static_cast<double>(i), 2, {i}, {}));
+  given.push_back(cycle(1.5, 2, {0, 1, 2}, {}));
+  for(std::size_t i = 0; i < 3; ++i)
+    given.push_back(cycle(2 + 0.01 * static_cast<double>(i), 1, {3 + i}, {i, (i + 1) % 4}));
+  given.push_back(cycle(2.5, 1, {3, 4, 5}, {3, 0}));
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()).size(), 8u);
+  given.push_back(cycle(2.6, 1, {3, 4, 5}, {3, 0}, {5})); // as the last one, but it crosses a hole that it is a sum of
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()).size(), 8u);
 }
 
 TEST(Selection, PlacesInTheHierarchySkipThoseThatAreNotSelected)
@@ -131,6 +169,25 @@ TEST(Selection, ACactusHasItsTrunkAndItsArms)
   EXPECT_NEAR(curves[0].length(), 0.599, 0.001);
   EXPECT_NEAR(curves[1].length(), 0.284, 0.001);
   EXPECT_NEAR(curves[2].length(), 0.291, 0.001);
+}
+
+// Two rings that share a bar: the two holes, the bar, and the thinnest places of the rings.
+TEST(Selection, AnEightHasItsHolesAndItsRings)
+{
+  std::vector<Constriction> curves;
+  SMC::detect_constrictions(read("eight.off"), std::back_inserter(curves));
+  ASSERT_GE(curves.size(), 7u);
+  EXPECT_LE(curves.size(), 8u);
+  std::size_t holes = 0, rings = 0;
+  for(const Constriction& c : curves)
+  {
+    holes += c.side() == SMC::Side::COMPLEMENT;
+    rings += c.side() == SMC::Side::OBJECT && c.length() < 0.44;
+    EXPECT_FALSE(c.is_separating());
+    EXPECT_FALSE(c.homology_class().empty());
+  }
+  EXPECT_EQ(holes, 2u);
+  EXPECT_EQ(rings, 4u);
 }
 
 TEST(Selection, NoiseAndAnotherTriangulationKeepTheNecks)

@@ -34,7 +34,8 @@ std::vector<Constriction> detect_as_asked(const Mesh& mesh, const Selection& sel
   }
   else
     SMC::detect_constrictions(mesh, std::back_inserter(result),
-                              SMC::parameters::certify(search.certifies, with_seed_sources(search.thorough, selected)));
+                              SMC::parameters::certify(search.certifies,
+                                                       with_seed_sources(search.triangles_only, selected)));
   return result;
 }
 

@@ -108,9 +108,11 @@ void run(const Options& options)
     else
       tighten(options, loops, monitor, report);
     report.seconds.simplify = monitor.seconds(Detection_stage::SIMPLIFICATION);
+    report.seconds.seeds = monitor.seconds(Detection_stage::SEEDS);
     report.seconds.refine = monitor.seconds(Detection_stage::REFINEMENT);
     report.seconds.tighten = monitor.seconds(Detection_stage::TIGHTENING);
     report.seconds.certify = monitor.seconds(Detection_stage::CERTIFICATION);
+    report.seconds.select = monitor.seconds(Detection_stage::SELECTION);
   }
   report.seconds.total = seconds_since(begin);
   write_outputs(options, report);

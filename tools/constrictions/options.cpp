@@ -219,10 +219,14 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
 
   add_selection_options(detect, options.selection);
   add_near_option(detect, options.search);
+  std::string seeds = "all";
   detect
-      .add_flag("--thorough", options.search.thorough,
-                "search with all sources of seed curves: finds most constrictions, and takes several times longer")
-      ->excludes("--near");
+      .add_option("--seeds", seeds,
+                  "where the search starts: all from several kinds of closed curves on the simplified mesh (default), "
+                  "triangles from three edges without a face only, which is faster and misses more")
+      ->type_name("all|triangles")
+      ->excludes("--near")
+      ->check(CLI::IsMember({"all", "triangles"}).description(""));
 
   CLI::App& tighten = *app.add_subcommand("tighten", "shorten given loops until they are constrictions");
   add_common_options(tighten, options);

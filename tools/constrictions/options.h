@@ -27,7 +27,7 @@ struct Selection
 /// How constrictions are searched.
 struct Search
 {
-  bool thorough = false; ///< with all seed sources
+  bool triangles_only = false; ///< seeds are non-face triangles, no others
   bool certifies = true;
   std::optional<std::array<double, 3> > location; ///< near which, instead of everywhere
 };

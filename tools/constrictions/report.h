@@ -19,9 +19,11 @@ struct Stage_seconds
 {
   double read = 0;
   double simplify = 0;
+  double seeds = 0;
   double refine = 0;
   double tighten = 0;
   double certify = 0;
+  double select = 0;
   double total = 0;
 };
 

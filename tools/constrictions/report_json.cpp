@@ -172,6 +172,7 @@ std::string report_as_json(const Report& report)
                       {{"collapses", s.collapses},
                        {"seeds", s.seeds},
                        {"degenerate", s.degenerate},
+                       {"discarded", s.discarded},
                        {"merged", s.merged},
                        {"not_simple", s.not_simple},
                        {"leaky_bands", s.leaky_bands},
@@ -182,9 +183,11 @@ std::string report_as_json(const Report& report)
                      {"seconds",
                       {{"read", t.read},
                        {"simplify", t.simplify},
+                       {"seeds", t.seeds},
                        {"refine", t.refine},
                        {"tighten", t.tighten},
                        {"certify", t.certify},
+                       {"select", t.select},
                        {"total", t.total}}},
                      {"peak_rss_bytes", peak_rss_bytes()}};
   // a file name need not be UTF-8, JSON must be

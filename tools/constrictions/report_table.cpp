@@ -58,8 +58,8 @@ std::string report_as_table(const Report& report)
   const std::size_t n = report.constrictions.size();
   const auto& s = report.statistics;
   out << n << (n == 1 ? " constriction" : " constrictions") << " from " << s.seeds
-      << (s.seeds == 1 ? " seed curve" : " seed curves") << " (" << s.degenerate << " degenerate, " << s.not_simple
-      << " not simple, " << s.not_certified << " not certified, " << s.merged << " merged, " << s.not_selected
+      << (s.seeds == 1 ? " seed curve" : " seed curves") << " (" << s.degenerate << " degenerate, " << s.discarded
+      << " discarded early, " << s.not_simple << " not simple, " << s.not_certified << " not certified, " << s.merged << " merged, " << s.not_selected
       << " not selected)\n";
   return out.str();
 }

@@ -21,7 +21,7 @@ Stage_monitor::~Stage_monitor()
 
 void Stage_monitor::begin(Stage stage, std::size_t steps)
 {
-  static const char* const titles[] = {"Simplification\n", "Refinement\n", "Tightening\n", "Certification\n",
+  static const char* const titles[] = {"Simplification\n", "Seeds\n", "Refinement\n", "Tightening\n", "Certification\n",
                                        "Selection\n"};
   m_begin = std::chrono::steady_clock::now();
   if(m_show_progress && steps > 0)
@@ -43,7 +43,7 @@ void Stage_monitor::end(Stage stage)
   if(m_bar != nullptr)
     step(m_bar->expected_count());
   m_bar.reset();
-  m_seconds[static_cast<std::size_t>(stage)] =
+  m_seconds[static_cast<std::size_t>(stage)] +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count();
 }
 

@@ -39,7 +39,7 @@ private:
   bool m_show_progress;
   std::unique_ptr<boost::timer::progress_display> m_bar;
   std::chrono::steady_clock::time_point m_begin;
-  std::array<double, 5> m_seconds = {0, 0, 0, 0, 0};
+  std::array<double, 6> m_seconds = {0, 0, 0, 0, 0, 0};
 };
 
 /// Tells a monitor what `detect_constrictions()` does.

@@ -85,6 +85,7 @@ public:
     double length = 0;
     double flat_band_width = 0;
     bool separating = false;
+    std::vector<std::size_t> homology_class;
     std::array<double, 2> areas = {0, 0};
     double isoperimetric_ratio = 0;
     Side side = Side::MIXED;
@@ -92,6 +93,7 @@ public:
     double prominence = std::numeric_limits<double>::quiet_NaN();
     std::optional<std::size_t> dominated_by;
     std::vector<std::size_t> crosses;
+    std::vector<std::size_t> crosses_oddly;
   };
 
   Constriction() : m_data(std::make_shared<const Data>()) {}
@@ -115,6 +117,12 @@ public:
   /// whether the connected component of the mesh falls apart when it is cut along the curve
   bool is_separating() const { return m_data->separating; }
 
+  /// the homology class of the curve modulo 2: the numbers, ascending, of those cycles of a basis of the mesh's first
+  /// homology group that the curve crosses an odd number of times. It is empty if the curve separates. Curves none of
+  /// which crosses another one separate together if each number occurs in an even number of their classes. Comparable
+  /// between the curves of one call.
+  const std::vector<std::size_t>& homology_class() const { return m_data->homology_class; }
+
   /// areas on the left and on the right of the curve within its connected component. Of a non-separating curve both
   /// are the area of the component.
   const std::array<double, 2>& areas() const { return m_data->areas; }
@@ -137,9 +145,12 @@ public:
   const std::optional<std::size_t>& dominated_by() const { return m_data->dominated_by; }
 
   /// the shorter constrictions that the curve crosses, there and back, given by their places as above. Those of
-  /// negligible prominence, less than 0.01, are left out; and so are those that cross it an odd number of times, as a
-  /// meridian of a torus crosses an equator.
+  /// negligible prominence, less than 0.01, are left out.
   const std::vector<std::size_t>& crosses() const { return m_data->crosses; }
+
+  /// the shorter constrictions that the curve crosses an odd number of times, as an equator of a torus crosses a
+  /// meridian, given by their places as above. Those of negligible prominence are left out, and neither separates.
+  const std::vector<std::size_t>& crosses_oddly() const { return m_data->crosses_oddly; }
 
   /// all of the above
   const Data& data() const { return *m_data; }

@@ -17,6 +17,7 @@ struct Detection_statistics
   std::size_t collapses = 0;    ///< edge collapses of the simplification
   std::size_t seeds = 0;        ///< seed curves
   std::size_t degenerate = 0;   ///< seeds that shortened to a point
+  std::size_t discarded = 0;    ///< seeds given up on a coarse level, where they lead to what would not be selected
   std::size_t not_simple = 0;   ///< seeds that ended in a curve that crosses or touches itself
   std::size_t merged = 0;       ///< seeds that ended in a curve that another seed had found
   std::size_t not_selected = 0; ///< distinct closed geodesics that were found and are not returned
@@ -27,8 +28,8 @@ struct Detection_statistics
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The stages of `detect_constrictions()`, in order.
-enum class Detection_stage { SIMPLIFICATION, REFINEMENT, TIGHTENING, CERTIFICATION, SELECTION };
+/// The stages of `detect_constrictions()`, in order. With several simplification policies the first three are repeated.
+enum class Detection_stage { SIMPLIFICATION, SEEDS, REFINEMENT, TIGHTENING, CERTIFICATION, SELECTION };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Visitor of `detect_constrictions()` whose callbacks do nothing: derive from it and hide what you need.

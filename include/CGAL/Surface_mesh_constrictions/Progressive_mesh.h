@@ -66,7 +66,10 @@ public:
       m_points(std::move(points)),
       m_vertex_end(m_points.size(), null_index),
       m_face_end(m_table.source.size() / 3, null_index)
-  {}
+  {
+    for(Index h : m_table.outgoing)
+      m_number_of_vertices += h != null_index;
+  }
 
   /// \name Levels
   /// @{
@@ -162,10 +165,23 @@ public:
   /// what the next `split()` will put in.
   Split next_split() const { return split_of(m_records[m_level - 1]); }
 
+  /// what the collapse from T^k to T^(k+1) has taken out.
+  /// \pre `k < level()`
+  Split applied_collapse(std::size_t k) const { return split_of(m_records[k]); }
+
   /// @}
   /// \name Elements
   /// Ids run from 0 to the number of elements of T^0; not all are part of the current surface.
   /// @{
+
+  /// the number of vertices of the current surface that are not isolated
+  std::size_t number_of_vertices() const { return m_number_of_vertices - m_level; }
+
+  /// the coarsest level that has no fewer vertices than that, or the coarsest of all, or 0
+  std::size_t level_with(std::size_t vertices) const
+  {
+    return (std::min)(m_number_of_vertices > vertices ? m_number_of_vertices - vertices : 0, m_records.size());
+  }
 
   std::size_t number_of_vertex_ids() const { return m_points.size(); }
   std::size_t number_of_face_ids() const { return m_face_end.size(); }
@@ -266,6 +282,7 @@ private:
   std::vector<Record> m_records;
   std::vector<Index> m_vertex_end; // the last level that has the vertex, null_index if all have
   std::vector<Index> m_face_end;   // the last level that has the face, null_index if all have
+  std::size_t m_number_of_vertices = 0; // of T^0
   std::size_t m_level = 0;
 };
 

@@ -7,11 +7,13 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/crossings_of_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <unordered_map>
 #include <utility>
@@ -21,22 +23,49 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Gives constrictions, of which these are the traces, their prominences among each other.
+// Gives constrictions of T^0, of which these are the traces, their prominences, and which of the others they cross.
 template <class TriangleMesh>
 void set_prominences(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces,
-                     std::vector<Constriction<TriangleMesh> >& constrictions)
+                     const std::vector<Prominence>& p, std::vector<Constriction<TriangleMesh> >& constrictions)
 {
-  const std::vector<Prominence> p = prominences(pm, traces);
-  for(std::size_t i = 0; i < constrictions.size(); ++i)
+  typedef typename Constriction<TriangleMesh>::Data Data;
+  std::vector<Data> data;
+  std::vector<Index> not_separating; // by length
+  std::vector<double> lengths;
+  for(const Constriction<TriangleMesh>& c : constrictions)
   {
-    typename Constriction<TriangleMesh>::Data data = constrictions[i].data();
-    data.prominence = p[i].value;
-    data.dominated_by.reset();
-    if(p[i].dominated_by != null_index)
-      data.dominated_by = p[i].dominated_by;
-    data.crosses.assign(p[i].crosses.begin(), p[i].crosses.end());
-    constrictions[i] = Constriction<TriangleMesh>(std::move(data));
+    data.push_back(c.data());
+    lengths.push_back(c.length());
   }
+  for(std::size_t i = 0; i < data.size(); ++i)
+  {
+    data[i].prominence = p[i].value;
+    data[i].dominated_by.reset();
+    if(p[i].dominated_by != null_index)
+      data[i].dominated_by = p[i].dominated_by;
+    data[i].crosses.assign(p[i].crosses.begin(), p[i].crosses.end());
+    data[i].crosses_oddly.clear();
+  }
+  std::vector<std::vector<Trace_point> > their_traces;
+  for(Index i : by_length(lengths))
+    if(!data[i].separating && p[i].value >= negligible_prominence)
+    {
+      not_separating.push_back(i);
+      their_traces.push_back(traces[i]);
+    }
+  const Earlier_curves odd = odd_crossings(pm, their_traces), in_faces = crossings_in_faces(pm, their_traces);
+  for(std::size_t i = 0; i < odd.size(); ++i)
+  {
+    Data& d = data[not_separating[i]];
+    for(Index j : odd[i])
+      d.crosses_oddly.push_back(not_separating[j]);
+    for(Index j : in_faces[i])
+      if(!std::binary_search(odd[i].begin(), odd[i].end(), j) &&
+         std::find(d.crosses.begin(), d.crosses.end(), not_separating[j]) == d.crosses.end())
+        d.crosses.push_back(not_separating[j]);
+  }
+  for(std::size_t i = 0; i < data.size(); ++i)
+    constrictions[i] = Constriction<TriangleMesh>(std::move(data[i]));
 }
 
 // The points of constrictions of a mesh on its copy.
@@ -136,7 +165,8 @@ OutputIterator compute_prominences(const TriangleMesh& tm, const ConstrictionRan
   imported.rescale();
   const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
   std::vector<Constriction<TriangleMesh> > result(constrictions.begin(), constrictions.end());
-  internal::set_prominences(pm, internal::traces_of(result, imported, vim, pm), result);
+  const std::vector<std::vector<internal::Trace_point> > traces = internal::traces_of(result, imported, vim, pm);
+  internal::set_prominences(pm, traces, internal::prominences(pm, traces), result);
   return std::move(result.begin(), result.end(), out);
 }
 

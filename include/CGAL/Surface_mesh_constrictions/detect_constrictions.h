@@ -2,175 +2,38 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_DETECT_CONSTRICTIONS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_DETECT_CONSTRICTIONS_H
 
-#include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/coincidence.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/carry_seeds_to_input.h>
+#include <CGAL/Surface_mesh_constrictions/internal/found_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
-#include <CGAL/Surface_mesh_constrictions/internal/simplify.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
-#include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
-#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
+#include <optional>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
-namespace internal {
-
-// Forwards the progress of the refinement to a detection visitor.
-template <class Visitor>
-struct Refinement_progress
-  : public Refinement_visitor_base
-{
-  const Visitor& visitor;
-  std::size_t levels;
-
-  Refinement_progress(const Visitor& visitor, std::size_t levels) : visitor(visitor), levels(levels) {}
-  void on_level(std::size_t level)
-  {
-    if(level < levels)
-      visitor.on_step(Detection_stage::REFINEMENT, levels - level);
-  }
-};
-
-// A curve of T^0 that is going to be returned.
-struct Found_curve
-{
-  Index curve; // of the network
-  double length;
-  double band_width;
-  Certificate certificate;
-};
-
-// Sorts curves by length and merges those that are the same but for rounding.
-inline void merge_coinciding(Curve_network& network, std::vector<Found_curve>& found)
-{
-  const Progressive_mesh& pm = network.surface();
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Found_curve& a, const Found_curve& b) { return a.length < b.length; });
-  const auto trace_of = [&](const Found_curve& f) { return trace(pm, arcs_of_curve(network, f.curve)); };
-  std::vector<Found_curve> kept;
-  for(const Found_curve& f : found)
-  {
-    bool is_new = true;
-    for(auto it = kept.rbegin(); is_new && it != kept.rend(); ++it)
-    {
-      if(it->length < f.length * (1 - coincidence_tolerance))
-        break;
-      if(coincide(pm, trace_of(f), trace_of(*it), f.length) && coincide(pm, trace_of(*it), trace_of(f), f.length))
-      {
-        network.merge(f.curve, it->curve);
-        is_new = false;
-      }
-    }
-    if(is_new)
-      kept.push_back(f);
-  }
-  found.swap(kept);
-}
-
-// Certifies curves, drops those that are no constrictions, and merges those that have become the same.
-template <class Exact_settler, class Progress>
-void certify_found(Curve_network& network, Exact_settler& settler, double unit, const std::vector<Refined_curve>& refined,
-                   std::vector<Found_curve>& found, Detection_statistics& statistics, const Progress& on_step)
-{
-  Distinct_curves distinct(network);
-  std::vector<Found_curve> certified;
-  for(std::size_t i = 0; i < found.size(); ++i)
-  {
-    Found_curve f = found[i];
-    f.certificate = settler.settle(network, f.curve);
-    statistics.signs = statistics.signs + f.certificate.signs;
-    on_step(i + 1);
-    if(f.certificate.is_certified())
-    {
-      f.length = network.length(f.curve);
-      f.band_width = f.certificate.flat_band_width / unit;
-      if(distinct.insert(f.curve))
-        certified.push_back(f);
-      continue;
-    }
-    std::size_t seeds = 0;
-    for(std::size_t r : network.curve(f.curve).seeds)
-      seeds += refined[r].seeds.size();
-    const Certificate_verdict verdict = f.certificate.verdict;
-    (network.is_empty(f.curve) ? statistics.degenerate
-     : verdict == Certificate_verdict::CROSSES_ITSELF || verdict == Certificate_verdict::TOUCHES_ITSELF
-         ? statistics.not_simple
-         : statistics.not_certified) += seeds;
-    network.remove(f.curve);
-  }
-  statistics.corrected = settler.number_of_corrections();
-  found.swap(certified);
-}
-
-// Builds the progressive mesh from a record and calls the seed source at every level, or as far as the first seed.
-template <class SeedSource>
-std::vector<Seed_curve> replay(const Collapse_record& record, const SeedSource& source, bool first_only,
-                               Progressive_mesh& pm)
-{
-  Seed_level level = {0, record.collapses.size(), null_index, &record.refused_seeds};
-  for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
-    level.vertices += pm.is_vertex(v);
-  std::vector<Seed_curve> seeds;
-  source(pm, level, std::back_inserter(seeds));
-  pm.reserve(record.collapses.size());
-  for(const Edge_collapse& c : record.collapses)
-  {
-    if(first_only && !seeds.empty())
-      break;
-    pm.append_collapse(c);
-    --level.vertices;
-    level.merged = c.kept;
-    source(pm, level, std::back_inserter(seeds));
-  }
-  if(first_only && seeds.size() > 1)
-    seeds.resize(1);
-  return seeds;
-}
-
-// The seeds of the source that the named parameters ask for.
-template <class NamedParameters>
-std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedParameters& np, bool first_only,
-                                   Progressive_mesh& pm)
-{
-  using CGAL::parameters::get_parameter;
-  using CGAL::parameters::is_default_parameter;
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::seed_sources_t>::value)
-    return replay(record, get_parameter(np, internal_np::seed_sources), first_only, pm);
-  else if constexpr(!is_default_parameter<NamedParameters, internal_np::seed_detection_t>::value)
-    return get_parameter(np, internal_np::seed_detection) == Seed_detection::ON_APPEARANCE
-               ? replay(record, Non_face_triangle_seeds(), first_only, pm)
-               : replay(record, Refused_collapse_seeds(), first_only, pm);
-  else
-    return replay(record, Non_face_triangle_seeds(), first_only, pm);
-}
-
-} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// finds constrictions of a closed triangle mesh: simple closed curves on it whose length is locally minimal.
 ///
-/// The mesh is copied and the copy simplified by edge collapses; seed curves are noticed on the way; the collapses are
+/// The mesh is copied and the copy simplified by edge collapses; seed curves are found on the way; the collapses are
 /// undone one by one and the curves carried along; on the input mesh they are tightened until they are closed
 /// geodesics. Degenerate curves are dropped and equal ones merged. Of the closed geodesics that are left those are
 /// selected that a person would call necks, each once: see `select_constrictions()`. This is the method of Hetroy and
@@ -210,10 +73,16 @@ std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedPar
 ///     \cgalParamType{a model of `GetPlacement` for edge profiles of `Simplification_mesh`}
 ///     \cgalParamDefault{`GarlandHeckbert_plane_policies`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{simplification_policies}
+///     \cgalParamDescription{the cost and the placement of edge collapses; if several are given, the mesh is simplified with
+///                           each of them, and seeds of all are followed. Not together with `get_cost`.}
+///     \cgalParamType{simplification policies, see `Garland_heckbert_policies`, or a `std::tuple` of several}
+///     \cgalParamDefault{`Garland_heckbert_policies`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{seed_sources}
 ///     \cgalParamDescription{where the seed curves come from}
 ///     \cgalParamType{a seed source, see `Non_face_triangle_seeds`; several are one, `Seed_sources`}
-///     \cgalParamDefault{`Non_face_triangle_seeds`; `Thorough_seed_sources` find more}
+///     \cgalParamDefault{`Default_seed_sources`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{seed_detection}
 ///     \cgalParamDescription{asks for non-face triangles only, as in the paper, and when they are noticed; not looked at
@@ -225,8 +94,8 @@ std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedPar
 ///     \cgalParamDescription{how curves are carried to the input and where they are tightened. With other schedules
 ///                           than `UNSTRAIGHTENED` the cost grows faster than the number of seeds.}
 ///     \cgalParamType{`Tightening_schedule`}
-///     \cgalParamDefault{`Tightening_schedule::UNSTRAIGHTENED` if `seed_sources` is given, else
-///                       `Tightening_schedule::AT_THE_END`}
+///     \cgalParamDefault{`Tightening_schedule::AT_THE_END` if `seed_detection` is given, else
+///                       `Tightening_schedule::UNSTRAIGHTENED`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has led
@@ -273,7 +142,7 @@ std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedPar
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Those from `seed_detection` to `all_constrictions` are functions of
+/// Those from `simplification_policies` to `all_constrictions` are functions of
 /// `CGAL::Surface_mesh_constrictions::parameters`. CGAL's list of names that can be chained is closed, so they start
 /// a chain, `tightening_schedule(t).visitor(v)`, or take one as their second argument, `tightening_schedule(t,
 /// CGAL::parameters::visitor(v))`.
@@ -297,62 +166,39 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
                                     get_const_property_map(CGAL::vertex_point, tm));
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Detection_visitor_base());
-  const bool has_sources = !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_sources_t>::value;
-  const bool with_refused_seeds =
-      choose_parameter(get_parameter(np, internal_np::seed_detection), Seed_detection::ON_APPEARANCE) ==
-          Seed_detection::ON_REFUSED_COLLAPSE ||
-      has_sources;
-  const Tightening_schedule schedule = choose_parameter(get_parameter(np, internal_np::tightening_schedule),
-                                                        has_sources ? Tightening_schedule::UNSTRAIGHTENED
-                                                                    : Tightening_schedule::AT_THE_END);
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
-  const bool first_only = choose_parameter(get_parameter(np, internal_np::first_constriction_only), false);
+  const bool selects_all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
+  const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
+                                                default_maximum_isoperimetric_ratio);
 
-  Detection_statistics statistics;
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();
-  const std::size_t expected_collapses = imported.points.size();
 
-  visitor.on_stage_begin(Detection_stage::SIMPLIFICATION, expected_collapses);
-  const Collapse_record record = internal::simplify(imported, with_refused_seeds, first_only, visitor, np);
-  visitor.on_stage_end(Detection_stage::SIMPLIFICATION);
-
-  Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
-  const std::vector<Seed_curve> seeds = internal::find_seeds(record, np, first_only, pm);
-  statistics.collapses = record.collapses.size();
+  internal::Seeds_on_input carried;
+  std::optional<Progressive_mesh> surface;
+  std::optional<internal::Level_copy> coarse;
+  std::apply(
+      [&](const auto&... policies) {
+        static_assert(sizeof...(policies) > 0, "simplification_policies is empty");
+        std::size_t left = sizeof...(policies);
+        (surface.emplace(internal::carry_seeds_to_input(imported, --left == 0, policies, np, visitor, carried, coarse)),
+         ...);
+      },
+      internal::policies_asked_for(np));
+  const Progressive_mesh& pm = *surface;
+  const std::vector<Seed_curve>& seeds = carried.seeds;
+  const std::vector<Refined_curve>& refined = carried.refined;
+  Detection_statistics statistics;
+  statistics.collapses = carried.collapses;
   statistics.seeds = seeds.size();
-
-  visitor.on_stage_begin(Detection_stage::REFINEMENT, pm.number_of_collapses());
-  std::vector<Refined_curve> refined;
-  internal::Refinement_progress<decltype(visitor)> progress(visitor, pm.number_of_collapses());
-  if(schedule == Tightening_schedule::UNSTRAIGHTENED)
-    carry_seed_curves(pm, seeds, Carrying_parameters(), std::back_inserter(refined), progress);
-  else
-    refine_seed_curves(pm, seeds, schedule, std::back_inserter(refined), progress);
-  visitor.on_stage_end(Detection_stage::REFINEMENT);
 
   visitor.on_stage_begin(Detection_stage::TIGHTENING, refined.size());
   internal::Curve_network network(pm, false);
   internal::Curve_settler settler(network);
-  internal::Distinct_curves distinct(network);
-  std::vector<internal::Found_curve> found;
-  for(std::size_t i = 0; i < refined.size(); ++i)
-  {
-    const Index c = network.add_curve(i);
-    std::vector<internal::Arc> arcs = internal::arcs_of_curve(pm, refined[i].curve);
-    network.set_arcs(c, arcs);
-    const Tightening_verdict verdict = settler.settle(c);
-    if(verdict == Tightening_verdict::DEGENERATE)
-      statistics.degenerate += refined[i].seeds.size();
-    else if(verdict == Tightening_verdict::NOT_SIMPLE && !certifies)
-    {
-      statistics.not_simple += refined[i].seeds.size();
-      network.remove(c);
-    }
-    else if(distinct.insert(c))
-      found.push_back({c, network.length(c), settler.band_width(), Certificate()});
-    visitor.on_step(Detection_stage::TIGHTENING, i + 1);
-  }
+  std::vector<internal::Found_curve> found =
+      internal::tighten_refined(network, settler, refined, certifies, statistics, [&visitor](std::size_t i) {
+        visitor.on_step(Detection_stage::TIGHTENING, i);
+      });
   statistics.leaky_bands = settler.number_of_leaks();
   visitor.on_stage_end(Detection_stage::TIGHTENING);
 
@@ -360,9 +206,8 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   if(certifies)
   {
     internal::Exact_settler<TriangleMesh, std::decay_t<decltype(vpm)> > exact_settler(pm, imported, vpm);
-    internal::certify_found(network, exact_settler, imported.unit(), refined, found, statistics, [&visitor](std::size_t i) {
-      visitor.on_step(Detection_stage::CERTIFICATION, i);
-    });
+    internal::certify_found(network, exact_settler, imported.unit(), refined, found, statistics,
+                            [&visitor](std::size_t i) { visitor.on_step(Detection_stage::CERTIFICATION, i); });
   }
   internal::merge_coinciding(network, found);
 
@@ -376,15 +221,22 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       for(std::size_t s : refined[i].seeds)
         its_seeds.push_back(seeds[s]);
     statistics.merged += its_seeds.size() - 1;
-    constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width, f.certificate));
+    Constriction<TriangleMesh> made = maker.make(network, f.curve, its_seeds, f.band_width, f.certificate);
+    if(!selects_all && made.is_separating() && made.isoperimetric_ratio() > maximum_ratio)
+    {
+      ++statistics.not_selected;
+      continue;
+    }
+    constrictions.push_back(std::move(made));
     traces.push_back(internal::trace(pm, internal::arcs_of_curve(network, f.curve)));
   }
   visitor.on_stage_end(Detection_stage::CERTIFICATION);
 
   visitor.on_stage_begin(Detection_stage::SELECTION, constrictions.size());
-  internal::set_prominences(pm, traces, constrictions);
+  internal::set_prominences(
+      pm, traces, coarse ? internal::prominences(pm, *coarse, traces) : internal::prominences(pm, traces), constrictions);
   select_by_prominence(constrictions, std::back_inserter(selected), np);
-  statistics.not_selected = constrictions.size() - selected.size();
+  statistics.not_selected += constrictions.size() - selected.size();
   visitor.on_stage_end(Detection_stage::SELECTION);
 
   visitor.on_end(statistics);

@@ -5,16 +5,24 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Tightening_basins.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
+#include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
 #include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -24,11 +32,35 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Which seeds `merge_seed_curves()` keeps.
+struct Merging_parameters
+{
+  /// how many are kept of those that become equal, at least one. On T^0 it is one.
+  std::size_t kept = 12;
+  /// whether the tightened copy is kept, moved to edges, one of those that become equal; or else the seeds as they are
+  bool tight = false;
+  /// the greatest isoperimetric ratio of a copy that parts the surface, see `Constriction::isoperimetric_ratio()`
+  double maximum_isoperimetric_ratio = (std::numeric_limits<double>::infinity)();
+  /// the least prominence of a copy among the others, see `compute_prominences()`; 0 or less for any
+  double minimum_prominence = 0;
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// What becomes of a seed when seeds are merged.
+enum class Merging_verdict
+{
+  KEPT,      ///< it goes on
+  POINT,     ///< it shortens to a point
+  DISCARDED, ///< what it shortens to is not asked for
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
 /// A seed curve that stands for several.
 struct Merged_seed
 {
-  Seed_curve curve;               ///< without vertices if the seeds shorten to a point
+  Seed_curve curve;               ///< without vertices if it does not go on
   std::vector<std::size_t> seeds; ///< numbers of the seeds that it stands for
+  Merging_verdict verdict;
 };
 
 namespace internal {
@@ -51,36 +83,71 @@ inline std::vector<std::size_t> coarsest_first(const std::vector<Seed_curve>& se
   return order;
 }
 
-} // namespace internal
+// Of those closed geodesics the ones that may be asked for, as far as this level tells. Curves that are not simple here
+// may be on a finer level. If there is a copy of a coarser level prominences are measured there, and curves that are not
+// there may be asked for. Cost: that of the areas and prominences.
+inline std::vector<Index> curves_asked_for(const Curve_network& network, const Merging_parameters& parameters,
+                                           const Level_copy* coarse)
+{
+  const Progressive_mesh& pm = network.surface();
+  std::vector<Index> all, result, simple;
+  for(Index c = 0; c < network.number_of_curve_ids(); ++c)
+    if(!network.is_empty(c))
+      all.push_back(c);
+  const bool any_ratio = parameters.maximum_isoperimetric_ratio == (std::numeric_limits<double>::infinity)();
+  if(any_ratio && parameters.minimum_prominence <= 0)
+    return all;
 
-/// \ingroup PkgSurfaceMeshConstrictionsRef
-/// merges seed curves early, on a coarse level where that is cheap, and discards degenerate ones.
-///
-/// The seeds of coarser levels are carried to the given level as paths of edges. A copy of each seed is tightened there.
-/// Seeds whose copies shorten to a point are given up. Of the seeds whose copies become equal only some are kept, from
-/// the shortest to the longest at equal steps; each of the others is handed to the one kept before it. What is kept is
-/// not tightened: a curve that is tight on a coarse level often lies where it slips off later on.
-///
-/// \param pm the surface; at the given level afterwards
-/// \param seeds the seeds, on any levels, in any order. Those of finer levels are written as they are.
-/// \param level the level to merge on
-/// \param kept how many seeds are kept of those that become equal, at least one. On T^0 it is one.
-/// \param out an output iterator that takes `Merged_seed`
-/// \cost O(degree) for each level and for each vertex split on a path, plus for each seed that of tightening it on the
-///       given level
+  const Surface_sides sides(pm);
+  std::vector<std::vector<Trace_point> > traces;
+  for(Index c : all)
+  {
+    const std::vector<Arc> arcs = arcs_of_curve(network, c);
+    if(!is_simple(pm, arcs))
+    {
+      result.push_back(c);
+      continue;
+    }
+    std::vector<Trace_point> points = trace(pm, arcs);
+    const Parting parting = sides.part(points);
+    if(parting.is_separating() &&
+       isoperimetric_ratio(network.length(c), parting.areas) > parameters.maximum_isoperimetric_ratio)
+      continue;
+    simple.push_back(c);
+    traces.push_back(std::move(points));
+  }
+  if(parameters.minimum_prominence <= 0)
+    result.insert(result.end(), simple.begin(), simple.end());
+  else
+  {
+    std::vector<Prominence> p(simple.size());
+    std::vector<bool> is_unknown(simple.size(), false);
+    if(coarse == nullptr)
+      p = prominences(pm, traces);
+    else
+      is_unknown = add_coarse_prominences(pm, *coarse, traces, p);
+    for(std::size_t i = 0; i < simple.size(); ++i)
+      if(is_unknown[i] || p[i].value >= parameters.minimum_prominence)
+        result.push_back(simple[i]);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// See `CGAL::Surface_mesh_constrictions::merge_seed_curves()`; `coarse` is a copy of a coarser level, or null.
 template <class OutputIterator>
 OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds, std::size_t level,
-                                 std::size_t kept, OutputIterator out)
+                                 const Merging_parameters& parameters, const Level_copy* coarse, OutputIterator out)
 {
   typedef std::vector<Index> Path;
-  const std::vector<std::size_t> order = internal::coarsest_first(seeds);
-  std::size_t coarse = 0; // how many are carried
-  internal::Edge_paths carried(pm);
+  const std::vector<std::size_t> order = coarsest_first(seeds);
+  std::size_t number_carried = 0;
+  Edge_paths carried(pm);
   pm.go_to_level(order.empty() ? level : (std::max)(level, seeds[order.front()].level));
   for(;; carried.split())
   {
-    for(; coarse < order.size() && seeds[order[coarse]].level == pm.level(); ++coarse)
-      carried.add(seeds[order[coarse]].vertices);
+    for(; number_carried < order.size() && seeds[order[number_carried]].level == pm.level(); ++number_carried)
+      carried.add(seeds[order[number_carried]].vertices);
     if(pm.level() == level)
       break;
   }
@@ -88,42 +155,50 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   // equal paths are one
   std::vector<Merged_seed> paths;
   std::unordered_map<Path, std::size_t, boost::hash<Path> > known;
-  for(std::size_t i = 0; i < coarse; ++i)
+  for(std::size_t i = 0; i < number_carried; ++i)
   {
     Path path = carried.path(i);
-    internal::make_canonical(path);
+    make_canonical(path);
     const auto it = known.emplace(path, paths.size());
     if(it.second)
-      paths.push_back({Seed_curve{level, std::move(path), seeds[order[i]].origin}, {}});
+      paths.push_back({Seed_curve{level, std::move(path), seeds[order[i]].origin}, {}, Merging_verdict::KEPT});
     paths[it.first->second].seeds.push_back(order[i]);
   }
 
-  internal::Curve_network network(pm, false);
-  internal::Tightener tightener(network, internal::Length_unit(pm));
+  const auto give_up = [&](std::size_t i, Merging_verdict verdict) {
+    *out++ = Merged_seed{Seed_curve{level, {}, paths[i].curve.origin}, paths[i].seeds, verdict};
+  };
+  Curve_network network(pm, false);
+  Tightener tightener(network, Length_unit(pm));
   tightener.fix_level();
-  internal::Distinct_curves distinct(network);
+  Tightening_basins basins(network, tightener);
   for(std::size_t i = 0; i < paths.size(); ++i)
   {
-    const Index c = network.add_curve(i, paths[i].curve.vertices);
-    tightener.enqueue_all(c);
-    tightener.run();
-    if(network.is_empty(c))
-      *out++ = Merged_seed{Seed_curve{level, {}, paths[i].curve.origin}, paths[i].seeds};
-    else
-      distinct.insert(c);
+    const Index c = network.add_curve(i, paths[i].curve.vertices), end = basins.tighten(c);
+    if(end == null_index)
+      give_up(i, Merging_verdict::POINT);
+    else if(end != c)
+      network.merge(c, end);
   }
 
-  if(level == 0)
-    kept = 1;
+  const std::vector<Index> asked = curves_asked_for(network, parameters, coarse);
   for(Index c = 0; c < network.number_of_curve_ids(); ++c)
   {
     if(network.is_empty(c))
       continue;
+    const std::vector<std::size_t>& ends_here = network.curve(c).seeds;
+    if(!std::binary_search(asked.begin(), asked.end(), c))
+    {
+      for(std::size_t i : ends_here)
+        give_up(i, Merging_verdict::DISCARDED);
+      continue;
+    }
     std::vector<std::pair<double, std::size_t> > equal; // lengths and numbers of paths
-    for(std::size_t i : network.curve(c).seeds)
-      equal.emplace_back(internal::length_of_path(pm, paths[i].curve.vertices), i);
+    for(std::size_t i : ends_here)
+      equal.emplace_back(length_of_path(pm, paths[i].curve.vertices), i);
     std::sort(equal.begin(), equal.end());
-    const std::size_t n = equal.size(), k = (std::min)(n, kept);
+    const std::size_t n = equal.size();
+    const std::size_t k = level == 0 || parameters.tight ? 1 : (std::min)(n, parameters.kept);
     for(std::size_t i = 0; i < k; ++i)
     {
       const std::size_t begin = i * n / k, end = (i + 1) * n / k;
@@ -133,12 +208,44 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
         const std::vector<std::size_t>& others = paths[equal[j].second].seeds;
         merged.seeds.insert(merged.seeds.end(), others.begin(), others.end());
       }
+      if(parameters.tight)
+      {
+        std::vector<Index> path =
+            path_beside_curve(pm, trace(pm, arcs_of_curve(network, c)));
+        if(path.size() > 2)
+          merged.curve.vertices.swap(path);
+      }
       *out++ = std::move(merged);
     }
   }
-  for(std::size_t i = coarse; i < order.size(); ++i)
-    *out++ = Merged_seed{seeds[order[i]], {order[i]}};
+  for(std::size_t i = number_carried; i < order.size(); ++i)
+    *out++ = Merged_seed{seeds[order[i]], {order[i]}, Merging_verdict::KEPT};
   return out;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// merges seed curves early, on a coarse level where that is cheap, and discards those that lead nowhere.
+///
+/// The seeds of coarser levels are carried to the given level as paths of edges. A copy of each seed is tightened there.
+/// Seeds whose copies shorten to a point are given up; so are those whose copies are not asked for. Of the seeds whose
+/// copies become equal only some are kept, from the shortest to the longest at equal steps; each of the others is handed
+/// to the one kept before it. What is kept is not tightened, unless that is asked for: a curve that is tight on a coarse
+/// level often lies where it slips off later on.
+///
+/// \param pm the surface; at the given level afterwards
+/// \param seeds the seeds, on any levels, in any order. Those of finer levels are written as they are.
+/// \param level the level to merge on
+/// \param parameters what is kept
+/// \param out an output iterator that takes `Merged_seed`
+/// \cost O(degree) for each level and for each vertex split on a path, plus for each seed that of tightening it on the
+///       given level until it is what another one was on its way, plus that of the areas and prominences asked for
+template <class OutputIterator>
+OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds, std::size_t level,
+                                 const Merging_parameters& parameters, OutputIterator out)
+{
+  return internal::merge_seed_curves(pm, seeds, level, parameters, nullptr, out);
 }
 
 } // namespace Surface_mesh_constrictions

@@ -31,6 +31,7 @@ namespace internal_np {
 enum seed_detection_t { seed_detection };
 enum tightening_schedule_t { tightening_schedule };
 enum seed_sources_t { seed_sources };
+enum simplification_policies_t { simplification_policies };
 enum first_constriction_only_t { first_constriction_only };
 enum certify_t { certify };
 enum minimum_prominence_t { minimum_prominence };
@@ -61,6 +62,7 @@ namespace parameters {
 
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_detection)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_sources)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(simplification_policies)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(tightening_schedule)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(first_constriction_only)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certify)

@@ -28,6 +28,7 @@ struct Refined_curve
 {
   Closed_curve curve;             ///< empty if the seeds shortened to a point on the way
   std::vector<std::size_t> seeds; ///< numbers of the seeds that led to it, the first to arrive first
+  bool is_discarded = false;      ///< whether it was given up on the way without shortening to a point
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -85,7 +86,7 @@ OutputIterator refine_seed_curves(Progressive_mesh& pm, const std::vector<Seed_c
       distinct.insert(c);
     else
     {
-      *out++ = Refined_curve{Closed_curve(), network.curve(c).seeds};
+      *out++ = Refined_curve{Closed_curve(), network.curve(c).seeds, false};
       network.remove(c);
     }
   };
@@ -123,7 +124,8 @@ OutputIterator refine_seed_curves(Progressive_mesh& pm, const std::vector<Seed_c
 
   for(Index c = 0; c < network.number_of_curve_ids(); ++c)
     if(!network.is_empty(c))
-      *out++ = Refined_curve{internal::curve_of_arcs(internal::arcs_of_curve(network, c)), network.curve(c).seeds};
+      *out++ = Refined_curve{internal::curve_of_arcs(internal::arcs_of_curve(network, c)), network.curve(c).seeds,
+                             false};
   return out;
 }
 

@@ -200,12 +200,12 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The seed sources that together find most constrictions, chosen by the study in the user manual. They make several
-/// thousand seeds, which take several times as long as the simplification to tighten and to select from.
-struct Thorough_seed_sources
+/// The seed sources that are used by default: those that together find most constrictions, chosen by the study in the user
+/// manual.
+struct Default_seed_sources
   : public Seed_sources<Non_face_triangle_seeds, Cut_locus_source, Section_source>
 {
-  Thorough_seed_sources() : Seed_sources(Non_face_triangle_seeds(), Cut_locus_source(), Section_source()) {}
+  Default_seed_sources() : Seed_sources(Non_face_triangle_seeds(), Cut_locus_source(), Section_source()) {}
 };
 
 } // namespace Surface_mesh_constrictions

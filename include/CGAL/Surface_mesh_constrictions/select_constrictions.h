@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/composed_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -67,7 +68,9 @@ constexpr double default_maximum_isoperimetric_ratio = 0.25;
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{crossing_constrictions}
 ///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected,
-///                           there and back: see `Constriction::crosses()`}
+///                           there and back: see `Constriction::crosses()`; and those that are composed of shorter
+///                           ones: modulo 2 their homology class is the sum of the classes of shorter ones, one of
+///                           which they cross}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -106,6 +109,11 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
   std::stable_sort(order.begin(), order.end(), [&given](std::size_t i, std::size_t j) {
     return given[i].prominence() > given[j].prominence();
   });
+  if(!all && !with_crossing)
+  {
+    const std::vector<bool> is_composed = internal::composed_constrictions(given, order);
+    order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return is_composed[i]; }), order.end());
+  }
 
   // the more prominent first, without those that cross one of them
   std::vector<std::vector<std::size_t> > crossing(given.size());
@@ -125,6 +133,13 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
       place[i] = selected.size();
       selected.push_back(i);
     }
+  const auto places = [&place](const std::vector<std::size_t>& numbers) {
+    std::vector<std::size_t> result;
+    for(std::size_t j : numbers)
+      if(place[j])
+        result.push_back(*place[j]);
+    return result;
+  };
   for(std::size_t i : selected)
   {
     std::optional<std::size_t> dominating = given[i].dominated_by();
@@ -132,10 +147,8 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
       dominating = given[*dominating].dominated_by();
     typename Result::Data data = given[i].data();
     data.dominated_by = dominating ? place[*dominating] : std::nullopt;
-    data.crosses.clear();
-    for(std::size_t j : given[i].crosses())
-      if(place[j])
-        data.crosses.push_back(*place[j]);
+    data.crosses = places(given[i].crosses());
+    data.crosses_oddly = places(given[i].crosses_oddly());
     *out++ = Result(std::move(data));
   }
   return out;

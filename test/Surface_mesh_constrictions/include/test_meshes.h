@@ -202,19 +202,22 @@ inline Soup random_hull(unsigned seed, int points)
   return soup;
 }
 
-// A surface of revolution about the z axis with caps, with seeded noise of the given size. radius(s) for s in [0, 1].
-template <class Radius>
-Soup revolution(Radius radius, double height, int along, int around, double noise, unsigned seed)
+// A surface of revolution about the z axis with caps, with seeded noise of the given size. The rings of the profile have
+// radius and height; below the first and above the last one are the apexes `bottom` and `top`.
+inline Soup revolution_of_profile(const std::vector<std::array<double, 2> >& profile, double bottom, double top, int around,
+                                  double noise, unsigned seed)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-noise, noise);
+  const int along = static_cast<int>(profile.size()) - 1;
   Soup soup;
   for(int i = 0; i <= along; ++i)
     for(int j = 0; j < around; ++j)
     {
-      const double s = static_cast<double>(i) / along, phi = 2 * CGAL_PI * (j + 0.5 * (i % 2)) / around;
-      const double r = radius(s) * (1 + uniform(random));
-      soup.points.push_back({{r * std::cos(phi), r * std::sin(phi), height * s * (1 + 1e-3 * uniform(random))}});
+      const double phi = 2 * CGAL_PI * (j + 0.5 * (i % 2)) / around;
+      const double r = profile[static_cast<std::size_t>(i)][0] * (1 + uniform(random));
+      const double z = profile[static_cast<std::size_t>(i)][1] * (1 + 1e-3 * uniform(random));
+      soup.points.push_back({{r * std::cos(phi), r * std::sin(phi), z}});
     }
   const auto at = [around](int i, int j) { return static_cast<std::size_t>(i * around + (j + around) % around); };
   for(int i = 0; i < along; ++i)
@@ -224,15 +227,54 @@ Soup revolution(Radius radius, double height, int along, int around, double nois
       soup.faces.push_back({{at(i, j), at(i, j + 1), at(i + 1, j + shift)}});
       soup.faces.push_back({{at(i, j + 1 - shift), at(i + 1, j + 1), at(i + 1, j)}});
     }
-  const std::size_t bottom = soup.points.size(), top = bottom + 1;
-  soup.points.push_back({{0, 0, -0.2}});
-  soup.points.push_back({{0, 0, height + 0.2}});
+  const std::size_t first = soup.points.size(), last = first + 1;
+  soup.points.push_back({{0, 0, bottom}});
+  soup.points.push_back({{0, 0, top}});
   for(int j = 0; j < around; ++j)
   {
-    soup.faces.push_back({{at(0, j + 1), at(0, j), bottom}});
-    soup.faces.push_back({{at(along, j), at(along, j + 1), top}});
+    soup.faces.push_back({{at(0, j + 1), at(0, j), first}});
+    soup.faces.push_back({{at(along, j), at(along, j + 1), last}});
   }
   return soup;
+}
+
+// As above, with radius(s) for s in [0, 1].
+template <class Radius>
+Soup revolution(Radius radius, double height, int along, int around, double noise, unsigned seed)
+{
+  std::vector<std::array<double, 2> > profile;
+  for(int i = 0; i <= along; ++i)
+  {
+    const double s = static_cast<double>(i) / along;
+    profile.push_back({{radius(s), height * s}});
+  }
+  return revolution_of_profile(profile, -0.2, height + 0.2, around, noise, seed);
+}
+
+// A hollow bottle: a straight outer wall of radius 1.2, joined at the rim to an inner wall with a neck of radius 0.3 at the
+// height 2, below it the belly and above it the mouth. Closed, of genus 0.
+inline Soup bottle(double noise, unsigned seed, int around = 18)
+{
+  std::vector<std::array<double, 2> > profile;
+  for(int i = 0; i <= 16; ++i)
+    profile.push_back({{1.2, 0.2 * i}});
+  for(int i = 15; i >= 2; --i)
+  {
+    const double z = 0.2 * i;
+    profile.push_back({{1 - 0.7 * std::exp(-4 * (z - 2) * (z - 2)), z}});
+  }
+  return revolution_of_profile(profile, -0.2, 0.3, around, noise, seed);
+}
+
+// Necks of radius 0.3, 0.4, 0.5 and 0.6 at the heights 2, 4, 6 and 8, between bulges of radius 1.
+inline Soup chain_of_necks(double noise, unsigned seed, int along = 60, int around = 20)
+{
+  const auto radius = [](double s) {
+    const double place = 5 * s, neck = std::min(std::max(std::round(place), 1.0), 4.0);
+    const double distance = std::abs(place - neck);
+    return 1 - (0.8 - 0.1 * neck) * (distance < 0.5 ? 0.5 * (1 + std::cos(2 * CGAL_PI * distance)) : 0);
+  };
+  return revolution(radius, 10, along, around, noise, seed);
 }
 
 // One neck, of radius about 0.4, between two bulges of radius about 1.
@@ -242,7 +284,8 @@ inline Soup dumbbell(double noise, unsigned seed, int along = 24, int around = 1
                     noise, seed);
 }
 
-inline Soup torus(double noise, unsigned seed, int along = 30, int around = 14)
+// The tube is thinner by the share `pinch` where it crosses the positive x axis, and thicker on the other side.
+inline Soup torus(double noise, unsigned seed, int along = 30, int around = 14, double pinch = 0)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-noise, noise);
@@ -250,7 +293,8 @@ inline Soup torus(double noise, unsigned seed, int along = 30, int around = 14)
   for(int i = 0; i < along; ++i)
     for(int j = 0; j < around; ++j)
     {
-      const double u = 2 * CGAL_PI * i / along, v = 2 * CGAL_PI * j / around, r = 1 + uniform(random);
+      const double u = 2 * CGAL_PI * i / along, v = 2 * CGAL_PI * j / around;
+      const double r = 1 - pinch * std::cos(u) + uniform(random);
       soup.points.push_back({{(3 + r * std::cos(v)) * std::cos(u), (3 + r * std::cos(v)) * std::sin(u), r * std::sin(v)}});
     }
   const auto at = [&](int i, int j) { return static_cast<std::size_t>((i % along) * around + j % around); };
@@ -279,6 +323,38 @@ inline Soup sharp_cone()
     soup.faces.push_back({{b, a, 13}});
   }
   return soup;
+}
+
+// The same surface with each coordinate moved by at most `size`.
+inline Soup jittered(Soup soup, double size, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-size, size);
+  for(Position& p : soup.points)
+    for(double& x : p)
+      x += uniform(random);
+  return soup;
+}
+
+// A body of 2 x 2 x 2 unit cells with three arms of one cell's width that end in boxes: three necks, of length 4.
+inline Soup branches(int cells_per_unit = 1)
+{
+  const int n = cells_per_unit;
+  const auto is_inside = [n](int x, int y, int z) {
+    const int i = x / n, j = y / n, k = z / n;
+    const auto in = [&](int a, int b, int c, int width, int depth, int height) {
+      return i >= a && i < a + width && j >= b && j < b + depth && k >= c && k < c + height;
+    };
+    return in(3, 3, 3, 2, 2, 2) || in(1, 4, 4, 2, 1, 1) || in(0, 3, 3, 1, 2, 2) || in(5, 3, 3, 2, 1, 1) ||
+           in(7, 3, 3, 1, 2, 2) || in(4, 5, 3, 1, 2, 1) || in(3, 7, 3, 2, 1, 2);
+  };
+  return voxels({{8 * n, 8 * n, 5 * n}}, is_inside, {{1.0 / n, 1.0 / n, 1.0 / n}});
+}
+
+// A plate with two square holes: genus 2.
+inline Soup two_holes()
+{
+  return voxels({{9, 4, 1}}, [](int i, int j, int) { return i == 0 || i == 4 || i == 8 || j == 0 || j == 3; });
 }
 
 // The same surface with vertices and faces in another order.

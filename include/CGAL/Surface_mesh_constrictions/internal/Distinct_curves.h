@@ -29,9 +29,9 @@ public:
       }
   }
 
-  // Notes a curve. If an equal one is known the curve is merged into it, and false is returned.
+  // Notes a curve and returns it; or, if an equal one is known, merges the curve into that and returns that.
   // Constant but for hash collisions and for the comparison with an equal curve.
-  bool insert(Index c)
+  Index insert(Index c)
   {
     const std::uint64_t hash = m_network.curve(c).hash;
     const auto range = m_curves.equal_range(hash);
@@ -39,10 +39,10 @@ public:
       if(m_network.are_equal(c, it->second))
       {
         m_network.merge(c, it->second);
-        return false;
+        return it->second;
       }
     m_curves.emplace(hash, c);
-    return true;
+    return c;
   }
 
 private:

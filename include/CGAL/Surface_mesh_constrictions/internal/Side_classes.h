@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
-#include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,8 @@ public:
   {
     m_numbers.clear();
     m_sets.assign(1, {});
-    m_numbers.emplace(m_sets[0], 0);
+    m_hashes.assign(1, 0);
+    m_numbers.emplace(0, 0);
   }
 
   std::size_t size() const { return m_sets.size(); }
@@ -54,22 +56,38 @@ public:
     return result;
   }
 
-  // The class on the other side of these curves, in ascending order. Constant if there are none.
+  // The class on the other side of these curves, in ascending order. Linear in their number, but for new classes.
   Index across(Index c, const std::vector<Index>& curves)
   {
     if(curves.empty())
       return c;
-    std::vector<Index> set;
-    std::set_symmetric_difference(m_sets[c].begin(), m_sets[c].end(), curves.begin(), curves.end(),
-                                  std::back_inserter(set));
-    const auto inserted = m_numbers.emplace(std::move(set), static_cast<Index>(m_sets.size()));
+    std::uint64_t hash = m_hashes[c];
+    for(Index a : curves)
+      hash ^= hash_of_curve(a);
+    const auto inserted = m_numbers.emplace(hash, static_cast<Index>(m_sets.size()));
     if(inserted.second)
-      m_sets.push_back(inserted.first->first);
+    {
+      std::vector<Index> set;
+      std::set_symmetric_difference(m_sets[c].begin(), m_sets[c].end(), curves.begin(), curves.end(),
+                                    std::back_inserter(set));
+      m_sets.push_back(std::move(set));
+      m_hashes.push_back(hash);
+    }
     return inserted.first->second;
   }
 
 private:
-  std::map<std::vector<Index>, Index> m_numbers;
+  // A number as if drawn by lot, so that the sum modulo 2 of those of a set stands for the set (Zobrist).
+  static std::uint64_t hash_of_curve(Index curve) // the finaliser of splitmix64
+  {
+    std::uint64_t x = (curve + 1) * 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+  }
+
+  std::unordered_map<std::uint64_t, Index> m_numbers; // by the hash of a set
+  std::vector<std::uint64_t> m_hashes;
   std::vector<std::vector<Index> > m_sets;
 };
 

@@ -100,16 +100,27 @@ public:
   // arcs. The order makes the result independent of where a curve starts and of its direction.
   void run()
   {
+    run([](Index) { return false; });
+  }
+
+  // As above, and calls is_known(curve) after each step. Once that is true the noted pivots are forgotten.
+  template <class IsKnown>
+  void run(IsKnown is_known)
+  {
     while(!m_queue.empty())
     {
       const Entry entry = m_queue.top();
       m_queue.pop();
       if(m_network.stamp(entry.arc) != entry.stamp)
         continue;
+      const Index curve = m_network.node(entry.arc).curve;
       const Turn sharper = entry.angles.left <= entry.angles.right ? Turn::LEFT : Turn::RIGHT;
-      if(!reroute(entry.arc, sharper) &&
-         (std::max)(entry.angles.left, entry.angles.right) < CGAL_PI - angle_tolerance)
-        reroute(entry.arc, sharper == Turn::LEFT ? Turn::RIGHT : Turn::LEFT);
+      const bool is_changed =
+          reroute(entry.arc, sharper) ||
+          ((std::max)(entry.angles.left, entry.angles.right) < CGAL_PI - angle_tolerance &&
+           reroute(entry.arc, sharper == Turn::LEFT ? Turn::RIGHT : Turn::LEFT));
+      if(is_changed && is_known(curve))
+        m_queue = std::priority_queue<Entry>();
     }
   }
 

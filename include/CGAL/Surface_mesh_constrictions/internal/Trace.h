@@ -113,6 +113,15 @@ inline std::vector<Strand> strands(const Progressive_mesh& pm, const std::vector
   return result;
 }
 
+// Whether the ends of two strands of one face alternate on its boundary: whether they cross inside the face.
+inline bool alternate(const Strand& s, const Strand& t)
+{
+  // x strictly between a and b, counterclockwise from a
+  const auto between = [](double a, double b, double x) { return a < b ? a < x && x < b : x > a || x < b; };
+  return s.entry != t.entry && s.entry != t.exit && s.exit != t.entry && s.exit != t.exit &&
+         between(s.entry, s.exit, t.entry) != between(s.entry, s.exit, t.exit);
+}
+
 // Whether a closed curve neither crosses nor touches itself. O(n + sum of squared numbers of strands in one face).
 inline bool is_simple(const Progressive_mesh& pm, const std::vector<Arc>& curve)
 {
@@ -125,8 +134,6 @@ inline bool is_simple(const Progressive_mesh& pm, const std::vector<Arc>& curve)
 
   std::vector<Strand> s = strands(pm, trace(pm, curve));
   std::sort(s.begin(), s.end(), [](const Strand& a, const Strand& b) { return a.face < b.face; });
-  // x strictly between a and b, counterclockwise from a
-  const auto between = [](double a, double b, double x) { return a < b ? a < x && x < b : x > a || x < b; };
   for(std::size_t i = 0; i < s.size(); ++i)
     for(std::size_t j = i + 1; j < s.size() && s[j].face == s[i].face; ++j)
     {
@@ -141,7 +148,7 @@ inline bool is_simple(const Progressive_mesh& pm, const std::vector<Arc>& curve)
           return false;
         continue;
       }
-      if(between(s[i].entry, s[i].exit, s[j].entry) != between(s[i].entry, s[i].exit, s[j].exit))
+      if(alternate(s[i], s[j]))
         return false;
     }
   return true;

@@ -11,9 +11,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -70,7 +67,8 @@ public:
     const double unit = m_imported.unit();
     data.length *= unit;
     const Parting parting = m_sides.part(points);
-    data.separating = parting.separating;
+    data.separating = parting.is_separating();
+    data.homology_class.assign(parting.homology_class.begin(), parting.homology_class.end());
     data.areas = {{parting.areas[0] * unit * unit, parting.areas[1] * unit * unit}};
     data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting.areas);
     data.side = m_sides.choked_side(points);
@@ -80,11 +78,6 @@ public:
   }
 
 private:
-  static double isoperimetric_ratio(double length, const std::array<double, 2>& areas)
-  {
-    return length * length / (4 * CGAL_PI * (std::min)(areas[0], areas[1]));
-  }
-
   const Imported_mesh<TriangleMesh>& m_imported;
   const Progressive_mesh& m_pm;
   Surface_sides m_sides;

@@ -4,12 +4,21 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Barrier_search.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Tightening_basins.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,32 +45,123 @@ inline double length(const Progressive_mesh& pm, const std::vector<Trace_point>&
   return sum;
 }
 
-// Prominences of closed geodesics among each other, in their order.
-inline std::vector<Prominence> prominences(const Progressive_mesh& pm,
-                                           const std::vector<std::vector<Trace_point> >& traces)
+// The indices of lengths, the least first.
+inline std::vector<Index> by_length(const std::vector<double>& lengths)
+{
+  std::vector<Index> order(lengths.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::stable_sort(order.begin(), order.end(), [&lengths](Index a, Index b) { return lengths[a] < lengths[b]; });
+  return order;
+}
+
+// Prominences of those closed geodesics for which `asked` is set, among each other; nothing is written for the others,
+// which are looked for when it comes to crossings, but dominate none. In the order of the curves.
+inline void add_prominences(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces,
+                            const std::vector<bool>& asked, std::vector<Prominence>& result)
 {
   std::vector<double> lengths;
   for(const std::vector<Trace_point>& t : traces)
     lengths.push_back(length(pm, t));
-  std::vector<Index> order(traces.size()), known;
-  std::iota(order.begin(), order.end(), Index(0));
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return lengths[a] < lengths[b]; });
-
+  std::vector<Index> known;
   Barrier_search search(pm);
-  std::vector<Prominence> result(traces.size());
-  for(Index i : order)
+  const auto add = [&](Index i, double length) {
+    search.add_curve(traces[i], length);
+    known.push_back(i);
+  };
+  for(Index i = 0; i < traces.size(); ++i)
+    if(!asked[i])
+      add(i, (std::numeric_limits<double>::infinity)());
+  for(Index i : by_length(lengths))
   {
+    if(!asked[i])
+      continue;
     const Barrier b = search.search(traces[i], lengths[i]);
     result[i].value = b.length / lengths[i] - 1;
     result[i].dominated_by = b.dominating == null_index ? null_index : known[b.dominating];
     for(Index a : search.crossed())
       result[i].crosses.push_back(known[a]);
     if(result[i].value >= negligible_prominence)
-    {
-      search.add_curve(traces[i], lengths[i]);
-      known.push_back(i);
-    }
+      add(i, lengths[i]);
   }
+}
+
+// Prominences of closed geodesics among each other, in their order.
+inline std::vector<Prominence> prominences(const Progressive_mesh& pm,
+                                           const std::vector<std::vector<Trace_point> >& traces)
+{
+  std::vector<Prominence> result(traces.size());
+  add_prominences(pm, traces, std::vector<bool>(traces.size(), true), result);
+  return result;
+}
+
+// A curve is looked for on a coarse level by a closed geodesic of it that is no more than this longer or shorter.
+constexpr double coarse_length_tolerance = 0.1;
+
+// Measures what lies between closed geodesics on a coarse level, of those that are there: where tightening leads to a
+// simple closed geodesic of about the same length. Curves that are the same there have no barrier between them: the
+// shortest dominates the others. Returns for each curve whether it is not there; then nothing is written for it.
+inline std::vector<bool> add_coarse_prominences(const Progressive_mesh& pm, const Level_copy& coarse,
+                                                const std::vector<std::vector<Trace_point> >& traces,
+                                                std::vector<Prominence>& result)
+{
+  const Progressive_mesh& surface = coarse.surface();
+  std::vector<double> lengths;
+  for(const std::vector<Trace_point>& t : traces)
+    lengths.push_back(length(pm, t));
+
+  Curve_network network(surface, false);
+  Tightener tightener(network, Length_unit(surface));
+  tightener.fix_level();
+  Tightening_basins basins(network, tightener);
+  std::vector<std::vector<Trace_point> > on_coarse;
+  std::vector<Index> curves; // those that are there
+  std::unordered_map<Index, Index> first_in_network; // of those, by what they are there
+  std::vector<bool> is_missing(traces.size(), false);
+  for(Index i : by_length(lengths))
+  {
+    const std::vector<Index> path = coarse.path(pm, traces[i]);
+    const Index end = path.size() < 3 ? null_index : basins.tighten(network.add_curve(i, path));
+    const auto known = end == null_index ? first_in_network.end() : first_in_network.find(end);
+    if(known != first_in_network.end())
+    {
+      result[i] = {0, known->second, {}};
+      continue;
+    }
+    if(end != null_index && std::abs(network.length(end) / lengths[i] - 1) <= coarse_length_tolerance)
+    {
+      const std::vector<Arc> arcs = arcs_of_curve(network, end);
+      if(is_simple(surface, arcs))
+      {
+        first_in_network.emplace(end, i);
+        curves.push_back(i);
+        on_coarse.push_back(internal::trace(surface, arcs));
+        continue;
+      }
+    }
+    is_missing[i] = true;
+  }
+
+  std::vector<Prominence> of_coarse = prominences(surface, on_coarse);
+  for(std::size_t i = 0; i < curves.size(); ++i)
+  {
+    Prominence& p = result[curves[i]] = std::move(of_coarse[i]);
+    if(p.dominated_by != null_index)
+      p.dominated_by = curves[p.dominated_by];
+    for(Index& a : p.crosses)
+      a = curves[a];
+  }
+  return is_missing;
+}
+
+// Prominences of closed geodesics of T^0 among each other, in their order: on a coarse level of those that are there, on
+// T^0 of the others.
+inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Level_copy& coarse,
+                                           const std::vector<std::vector<Trace_point> >& traces)
+{
+  std::vector<Prominence> result(traces.size());
+  const std::vector<bool> is_missing = add_coarse_prominences(pm, coarse, traces, result);
+  if(std::find(is_missing.begin(), is_missing.end(), true) != is_missing.end())
+    add_prominences(pm, traces, is_missing, result);
   return result;
 }
 

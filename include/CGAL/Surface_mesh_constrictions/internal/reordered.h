@@ -24,6 +24,13 @@ std::vector<Constriction<TriangleMesh> > reordered(const std::vector<Constrictio
   std::vector<std::optional<std::size_t> > place(given.size());
   for(std::size_t i = 0; i < number; ++i)
     place[order[i]] = i;
+  const auto translate = [&place](std::vector<std::size_t>& numbers) {
+    std::vector<std::size_t> result;
+    for(std::size_t j : numbers)
+      if(place[j])
+        result.push_back(*place[j]);
+    numbers.swap(result);
+  };
 
   std::vector<Constriction<TriangleMesh> > result;
   for(std::size_t i = 0; i < number; ++i)
@@ -33,11 +40,8 @@ std::vector<Constriction<TriangleMesh> > reordered(const std::vector<Constrictio
       data.dominated_by = given[*data.dominated_by].dominated_by();
     if(data.dominated_by)
       data.dominated_by = place[*data.dominated_by];
-    std::vector<std::size_t> crosses;
-    for(std::size_t j : data.crosses)
-      if(place[j])
-        crosses.push_back(*place[j]);
-    data.crosses.swap(crosses);
+    translate(data.crosses);
+    translate(data.crosses_oddly);
     result.push_back(Constriction<TriangleMesh>(std::move(data)));
   }
   return result;

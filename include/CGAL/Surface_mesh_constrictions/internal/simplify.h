@@ -10,10 +10,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface_mesh_from_corner_table.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/property_map.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -61,14 +58,10 @@ struct Optional_stop_predicate
 
 // Simplifies a copy of the mesh as far as CGAL's edge_collapse() goes, or to the first non-face triangle that it meets,
 // and returns what was done. O(n log n).
-template <class ImportedMesh, class Visitor, class NamedParameters>
-Collapse_record simplify(const ImportedMesh& imported, bool with_refused_seeds, bool first_only, const Visitor& visitor,
-                         const NamedParameters& np)
+template <class ImportedMesh, class Policies, class Visitor>
+Collapse_record simplify(const ImportedMesh& imported, const Policies& make_policies, bool with_refused_seeds,
+                         bool first_only, const Visitor& visitor)
 {
-  namespace SMS = CGAL::Surface_mesh_simplification;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-
   Collapse_record record;
   Simplification_mesh copy;
   surface_mesh_from_corner_table(imported.table, imported.points, copy);
@@ -76,29 +69,11 @@ Collapse_record simplify(const ImportedMesh& imported, bool with_refused_seeds, 
 
   const auto vim = get(boost::vertex_index, copy);
   const Reporting_visitor<std::decay_t<decltype(vim)>, Visitor> recorder(record, vim, with_refused_seeds, visitor);
-  const Optional_stop_predicate stop = {first_only};
-
-  typedef SMS::GarlandHeckbert_plane_policies<Simplification_mesh, Exact_predicates_inexact_constructions_kernel>
-      Default_policies;
-  // in full: this package has a namespace `parameters` too
-  constexpr bool default_cost =
-      CGAL::parameters::is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value;
-  constexpr bool default_placement =
-      CGAL::parameters::is_default_parameter<NamedParameters, internal_np::get_placement_policy_t>::value;
-  static_assert(default_cost == default_placement, "get_cost and get_placement have to be given together");
-  if constexpr(default_cost)
-  {
-    const Default_policies policies(copy);
-    SMS::edge_collapse(copy, stop,
-                       CGAL::parameters::get_cost(policies.get_cost())
-                           .get_placement(policies.get_placement())
-                           .visitor(recorder));
-  }
-  else
-    SMS::edge_collapse(copy, stop,
-                       CGAL::parameters::get_cost(get_parameter(np, internal_np::get_cost_policy))
-                           .get_placement(get_parameter(np, internal_np::get_placement_policy))
-                           .visitor(recorder));
+  const auto policies = make_policies(copy);
+  Surface_mesh_simplification::edge_collapse(copy, Optional_stop_predicate{first_only},
+                                             CGAL::parameters::get_cost(policies.get_cost())
+                                                 .get_placement(policies.get_placement())
+                                                 .visitor(recorder));
   return record;
 }
 

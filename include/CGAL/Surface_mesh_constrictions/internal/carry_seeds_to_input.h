@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CARRY_SEEDS_TO_INPUT_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CARRY_SEEDS_TO_INPUT_H
+
+#include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
+#include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Number of vertices of the surface on which `detect_constrictions()` measures prominences, of larger meshes.
+constexpr std::size_t prominence_vertices = 2048;
+
+namespace internal {
+
+// A coarse level tells only roughly what will be selected: there, prominences and isoperimetric ratios may miss what is
+// asked for by this factor.
+constexpr double coarse_selection_factor = 2;
+
+// What the selection that the named parameters ask for makes worth carrying.
+template <class NamedParameters>
+Carrying_parameters carrying_parameters(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Carrying_parameters result;
+  if(choose_parameter(get_parameter(np, internal_np::all_constrictions), false))
+    return result;
+  const double prominence =
+      choose_parameter(get_parameter(np, internal_np::minimum_prominence), default_minimum_prominence);
+  const double ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
+                                        default_maximum_isoperimetric_ratio);
+  result.merging.minimum_prominence = (std::min)(prominence, default_minimum_prominence) / coarse_selection_factor;
+  result.merging.maximum_isoperimetric_ratio = ratio * coarse_selection_factor;
+  return result;
+}
+
+// Forwards the progress of the refinement to a detection visitor.
+template <class Visitor>
+struct Refinement_progress
+  : public Refinement_visitor_base
+{
+  const Visitor& visitor;
+  std::size_t levels, done = 0;
+
+  Refinement_progress(const Visitor& visitor, std::size_t levels) : visitor(visitor), levels(levels) {}
+  void on_level(std::size_t level)
+  {
+    if(levels - level <= done)
+      return;
+    done = levels - level;
+    visitor.on_step(Detection_stage::REFINEMENT, done);
+  }
+};
+
+// Builds the progressive mesh from a record and calls the seed source at every level, or as far as the first seed.
+template <class SeedSource, class Visitor>
+std::vector<Seed_curve> replay(const Collapse_record& record, const SeedSource& source, bool first_only,
+                               const Visitor& visitor, Progressive_mesh& pm)
+{
+  Seed_level level = {0, record.collapses.size(), null_index, &record.refused_seeds};
+  level.vertices = pm.number_of_vertices();
+  std::vector<Seed_curve> seeds;
+  source(pm, level, std::back_inserter(seeds));
+  pm.reserve(record.collapses.size());
+  for(const Edge_collapse& c : record.collapses)
+  {
+    if(first_only && !seeds.empty())
+      break;
+    pm.append_collapse(c);
+    --level.vertices;
+    level.merged = c.kept;
+    source(pm, level, std::back_inserter(seeds));
+    visitor.on_step(Detection_stage::SEEDS, pm.level());
+  }
+  if(first_only && seeds.size() > 1)
+    seeds.resize(1);
+  return seeds;
+}
+
+template <class... T>
+std::tuple<T...> as_tuple(const std::tuple<T...>& t) { return t; }
+
+template <class T>
+std::tuple<T> as_tuple(const T& t) { return std::tuple<T>(t); }
+
+template <class NamedParameters>
+constexpr bool has_seed_sources = !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_sources_t>::value;
+
+// Whether it is non-face triangles that are asked for, as in the paper.
+template <class NamedParameters>
+constexpr bool has_seed_detection =
+    !has_seed_sources<NamedParameters> &&
+    !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_detection_t>::value;
+
+// The seeds of the source that the named parameters ask for.
+template <class NamedParameters, class Visitor>
+std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedParameters& np, bool first_only,
+                                   const Visitor& visitor, Progressive_mesh& pm)
+{
+  using CGAL::parameters::get_parameter;
+  if constexpr(has_seed_sources<NamedParameters>)
+    return replay(record, get_parameter(np, internal_np::seed_sources), first_only, visitor, pm);
+  else if constexpr(has_seed_detection<NamedParameters>)
+    return get_parameter(np, internal_np::seed_detection) == Seed_detection::ON_APPEARANCE
+               ? replay(record, Non_face_triangle_seeds(), first_only, visitor, pm)
+               : replay(record, Refused_collapse_seeds(), first_only, visitor, pm);
+  else
+    return first_only ? replay(record, Non_face_triangle_seeds(), first_only, visitor, pm)
+                      : replay(record, Default_seed_sources(), first_only, visitor, pm);
+}
+
+// The simplification policies that the named parameters ask for, in a tuple.
+template <class NamedParameters>
+auto policies_asked_for(const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  constexpr bool has_cost = !is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value;
+  constexpr bool has_placement = !is_default_parameter<NamedParameters, internal_np::get_placement_policy_t>::value;
+  constexpr bool has_policies =
+      !is_default_parameter<NamedParameters, internal_np::simplification_policies_t>::value;
+  static_assert(has_cost == has_placement, "get_cost and get_placement have to be given together");
+  static_assert(!has_cost || !has_policies, "give get_cost and get_placement, or simplification_policies");
+  if constexpr(has_policies)
+    return as_tuple(get_parameter(np, internal_np::simplification_policies));
+  else if constexpr(has_cost)
+    return as_tuple([cost = get_parameter(np, internal_np::get_cost_policy),
+                     placement = get_parameter(np, internal_np::get_placement_policy)](Simplification_mesh&) {
+      return Cost_and_placement<decltype(cost), decltype(placement)>(cost, placement);
+    });
+  else
+    return as_tuple(Garland_heckbert_policies());
+}
+
+// Seeds, and what they have become on T^0. The refined curves know their seeds by number.
+struct Seeds_on_input
+{
+  std::vector<Seed_curve> seeds;
+  std::vector<Refined_curve> refined;
+  std::size_t collapses = 0;
+};
+
+// Simplifies the mesh, finds seeds on the way, and carries them to T^0: appends them to those of other policies. Returns
+// the surface, at level 0, and copies its level with `prominence_vertices` if there is no copy yet. Takes the connectivity
+// and the points out of the imported mesh if `is_last`.
+template <class ImportedMesh, class Policies, class NamedParameters, class Visitor>
+Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, const Policies& policies,
+                                      const NamedParameters& np, const Visitor& visitor, Seeds_on_input& all,
+                                      std::optional<Level_copy>& coarse)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const bool first_only = choose_parameter(get_parameter(np, internal_np::first_constriction_only), false);
+  const bool with_refused_seeds =
+      has_seed_sources<NamedParameters> ||
+      choose_parameter(get_parameter(np, internal_np::seed_detection), Seed_detection::ON_APPEARANCE) ==
+          Seed_detection::ON_REFUSED_COLLAPSE;
+  const Tightening_schedule schedule = choose_parameter(
+      get_parameter(np, internal_np::tightening_schedule),
+      has_seed_detection<NamedParameters> ? Tightening_schedule::AT_THE_END : Tightening_schedule::UNSTRAIGHTENED);
+
+  visitor.on_stage_begin(Detection_stage::SIMPLIFICATION, imported.points.size());
+  const Collapse_record record = simplify(imported, policies, with_refused_seeds, first_only, visitor);
+  visitor.on_stage_end(Detection_stage::SIMPLIFICATION);
+  all.collapses += record.collapses.size();
+
+  visitor.on_stage_begin(Detection_stage::SEEDS, record.collapses.size());
+  Progressive_mesh pm = is_last ? Progressive_mesh(std::move(imported.table), std::move(imported.points))
+                                : Progressive_mesh(imported.table, imported.points);
+  const std::vector<Seed_curve> seeds = find_seeds(record, np, first_only, visitor, pm);
+  pm.go_to_level(pm.level_with(prominence_vertices));
+  if(!coarse && pm.level() > 0)
+    coarse.emplace(pm);
+  visitor.on_stage_end(Detection_stage::SEEDS);
+
+  visitor.on_stage_begin(Detection_stage::REFINEMENT, pm.number_of_collapses());
+  const std::size_t first = all.refined.size();
+  Refinement_progress<Visitor> progress(visitor, pm.number_of_collapses());
+  if(schedule == Tightening_schedule::UNSTRAIGHTENED)
+    carry_seed_curves(pm, seeds, carrying_parameters(np), std::back_inserter(all.refined), progress);
+  else
+    refine_seed_curves(pm, seeds, schedule, std::back_inserter(all.refined), progress);
+  visitor.on_stage_end(Detection_stage::REFINEMENT);
+
+  for(std::size_t i = first; i < all.refined.size(); ++i)
+    for(std::size_t& s : all.refined[i].seeds)
+      s += all.seeds.size();
+  all.seeds.insert(all.seeds.end(), seeds.begin(), seeds.end());
+  return pm;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CARRY_SEEDS_TO_INPUT_H
