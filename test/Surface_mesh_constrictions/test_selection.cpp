@@ -190,19 +190,4 @@ TEST(Selection, AnEightHasItsHolesAndItsRings)
   EXPECT_EQ(rings, 4u);
 }
 
-TEST(Selection, NoiseAndAnotherTriangulationKeepTheNecks)
-{
-  const auto radius = [](double s) { return 0.7 - 0.3 * std::cos(4 * CGAL_PI * (s - 0.5)) + 1e-3 * s; };
-  for(unsigned seed = 0; seed < 4; ++seed)
-    for(int around : {14, 25})
-    {
-      const test_meshes::Soup soup = test_meshes::revolution(radius, 6, 2 * around, around, 0.01, seed);
-      std::vector<Constriction> curves;
-      SMC::detect_constrictions(test_meshes::make_mesh(soup), std::back_inserter(curves));
-      ASSERT_EQ(curves.size(), 1u);
-      EXPECT_NEAR(curves[0].length(), 2 * CGAL_PI * 0.4, 0.1);
-      EXPECT_NEAR(curves[0].prominence(), 1.5, 0.15);
-    }
-}
-
 } // namespace
