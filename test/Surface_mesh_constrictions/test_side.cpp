@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/test_meshes.h"
+
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_constrictions;
+using test_meshes::Mesh;
+typedef Mesh::Point Point;
+typedef SMC::Constriction<Mesh> Constriction;
+typedef CGAL::Side_of_triangle_mesh<Mesh, test_meshes::Kernel> Side_of_mesh;
+
+std::vector<Constriction> detect(const Mesh& mesh)
+{
+  std::vector<Constriction> result;
+  SMC::detect_constrictions(mesh, std::back_inserter(result));
+  return result;
+}
+
+// The share of a surface spanned by the curve that lies in the solid: of points on the chords from the points of the
+// curve to their mean, without the ends, where the surface begins.
+double share_inside(const Mesh& mesh, const Side_of_mesh& side_of_mesh, const Constriction& curve)
+{
+  std::vector<Point> points;
+  curve.points(mesh, std::back_inserter(points));
+  test_meshes::Kernel::Vector_3 sum(0, 0, 0);
+  for(const Point& p : points)
+    sum = sum + (p - CGAL::ORIGIN);
+  const Point center = CGAL::ORIGIN + sum / static_cast<double>(points.size());
+  std::size_t inside = 0, all = 0;
+  for(const Point& p : points)
+    for(double t : {0.15, 0.3, 0.45, 0.6, 0.75, 0.9})
+    {
+      const CGAL::Bounded_side side = side_of_mesh(p + t * (center - p));
+      inside += side == CGAL::ON_BOUNDED_SIDE;
+      all += side != CGAL::ON_BOUNDARY;
+    }
+  return static_cast<double>(inside) / static_cast<double>(all);
+}
+
+struct Counts
+{
+  std::size_t object = 0, complement = 0;
+};
+
+// The side is found from the curvature along the curve; what the curve spans is a check that knows nothing of it.
+Counts expect_spanned_surface_on_its_side(const Mesh& mesh)
+{
+  const Side_of_mesh side_of_mesh(mesh);
+  Counts counts;
+  for(const Constriction& c : detect(mesh))
+  {
+    if(c.side() == SMC::Side::MIXED)
+      continue;
+    const double share = share_inside(mesh, side_of_mesh, c);
+    if(c.side() == SMC::Side::OBJECT)
+    {
+      ++counts.object;
+      EXPECT_GT(share, 0.5) << "object, of length " << c.length();
+    }
+    else
+    {
+      ++counts.complement;
+      EXPECT_LT(share, 0.5) << "complement, of length " << c.length();
+    }
+  }
+  return counts;
+}
+
+Mesh read(const std::string& name)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name, mesh))
+    ADD_FAILURE() << "cannot read " << name;
+  return mesh;
+}
+
+// The neck of the inner wall separates the surface, and what it chokes is the space inside the bottle.
+TEST(Side, TheNeckOfAHollowBottleChokesTheComplement)
+{
+  for(unsigned seed = 0; seed < 2; ++seed)
+    for(bool inside_out : {false, true})
+    {
+      const test_meshes::Soup soup = test_meshes::bottle(0.01, seed);
+      const Mesh mesh = test_meshes::make_mesh(inside_out ? test_meshes::inside_out(soup) : soup);
+      const Side_of_mesh side_of_mesh(mesh);
+      std::size_t necks = 0;
+      for(const Constriction& c : detect(mesh))
+      {
+        if(std::abs(c.length() - 2 * CGAL_PI * 0.3) > 0.1)
+          continue;
+        ++necks;
+        EXPECT_TRUE(c.is_separating());
+        EXPECT_EQ(c.side(), SMC::Side::COMPLEMENT);
+        EXPECT_EQ(share_inside(mesh, side_of_mesh, c), 0);
+      }
+      EXPECT_EQ(necks, 1u);
+    }
+}
+
+TEST(Side, TheSpannedSurfaceIsOnTheSideOfGeneratedMeshes)
+{
+  const Counts dumbbell = expect_spanned_surface_on_its_side(test_meshes::make_mesh(test_meshes::dumbbell(0.02, 1)));
+  EXPECT_GE(dumbbell.object, 1u);
+  EXPECT_EQ(dumbbell.complement, 0u);
+  for(bool inside_out : {false, true})
+  {
+    const test_meshes::Soup soup = test_meshes::torus(0.01, 2, 30, 14, 0.3);
+    const Counts torus = expect_spanned_surface_on_its_side(
+        test_meshes::make_mesh(inside_out ? test_meshes::inside_out(soup) : soup));
+    EXPECT_GE(torus.object, 1u);
+    EXPECT_GE(torus.complement, 1u);
+  }
+  const Counts bottle = expect_spanned_surface_on_its_side(test_meshes::make_mesh(test_meshes::bottle(0.01, 3)));
+  EXPECT_GE(bottle.complement, 1u);
+}
+
+TEST(Side, TheSpannedSurfaceIsOnTheSideOfRealMeshes)
+{
+  const Counts camel = expect_spanned_surface_on_its_side(read("camel.off"));
+  EXPECT_GE(camel.object, 10u);
+  const Counts eight = expect_spanned_surface_on_its_side(read("eight.off"));
+  EXPECT_GE(eight.object, 1u);
+  EXPECT_GE(eight.complement, 1u);
+}
+
+} // namespace
