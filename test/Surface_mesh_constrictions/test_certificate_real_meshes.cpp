@@ -198,11 +198,8 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
     // the vertices that the curve leaves on either side of an edge, and those that can be reached from them
     enum { UNKNOWN, LEFT, RIGHT, PIVOT };
     std::vector<int> side(mesh.number_of_vertices(), UNKNOWN);
-    std::map<std::pair<Mesh::size_type, Mesh::size_type>, int> crossings;
+    std::map<std::pair<Mesh::size_type, Mesh::size_type>, std::vector<double> > crossings; // parameters, from either end
     std::vector<Mesh::Vertex_index> stack;
-    const auto key = [](Mesh::Vertex_index u, Mesh::Vertex_index v) {
-      return std::make_pair((std::min)(u.idx(), v.idx()), (std::max)(u.idx(), v.idx()));
-    };
     const auto put_on = [&](Mesh::Vertex_index v, int s) {
       if(side[v] == PIVOT)
         return;
@@ -211,23 +208,37 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
         stack.push_back(v);
       side[v] = s;
     };
+    // the side of the end v of the edge from u to v, if this is the side of the edge at a parameter
+    const auto side_at_end = [&](Mesh::Vertex_index u, Mesh::Vertex_index v, double parameter, int s) {
+      const std::vector<double>& t = crossings[std::make_pair(u.idx(), v.idx())];
+      const auto beyond = std::count_if(t.begin(), t.end(), [parameter](double x) { return x > parameter; });
+      return beyond % 2 == 1 ? LEFT + RIGHT - s : s;
+    };
     for(const auto& p : c.pivots())
       side[p.vertex] = PIVOT;
+    for(const auto& l : c.locations())
+      if(!l.is_pivot)
+      {
+        const Mesh::Vertex_index u = mesh.source(l.halfedge), v = mesh.target(l.halfedge);
+        crossings[std::make_pair(u.idx(), v.idx())].push_back(l.parameter);
+        crossings[std::make_pair(v.idx(), u.idx())].push_back(1 - l.parameter);
+      }
     const std::size_t n = c.locations().size();
     for(std::size_t i = 0; i < n; ++i)
     {
       const auto &l = c.locations()[i], &next = c.locations()[(i + 1) % n];
       if(!l.is_pivot)
       {
-        ++crossings[key(mesh.source(l.halfedge), mesh.target(l.halfedge))];
-        put_on(mesh.target(l.halfedge), LEFT);
-        put_on(mesh.source(l.halfedge), RIGHT);
+        const Mesh::Vertex_index u = mesh.source(l.halfedge), v = mesh.target(l.halfedge);
+        put_on(v, side_at_end(u, v, l.parameter, LEFT));
+        put_on(u, side_at_end(v, u, 1 - l.parameter, RIGHT));
       }
       else if(next.is_pivot)
       {
-        const Mesh::Halfedge_index h = mesh.halfedge(l.vertex, next.vertex);
-        put_on(mesh.target(mesh.next(h)), LEFT);
-        put_on(mesh.target(mesh.next(mesh.opposite(h))), RIGHT);
+        const Mesh::Halfedge_index h = mesh.halfedge(l.vertex, next.vertex), o = mesh.opposite(h);
+        const Mesh::Vertex_index left = mesh.target(mesh.next(h)), right = mesh.target(mesh.next(o));
+        put_on(left, side_at_end(l.vertex, left, 0, LEFT));
+        put_on(right, side_at_end(l.vertex, right, 0, RIGHT));
       }
     }
     while(!stack.empty())
@@ -236,9 +247,7 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
       stack.pop_back();
       for(Mesh::Vertex_index w : vertices_around_target(mesh.halfedge(v), mesh))
       {
-        const auto it = crossings.find(key(v, w));
-        const bool changes = it != crossings.end() && it->second % 2 == 1;
-        put_on(w, changes ? LEFT + RIGHT - side[v] : side[v]);
+        put_on(w, side_at_end(v, w, 0, side[v]));
       }
     }
     Interval inside[2] = {0, 0};
