@@ -31,7 +31,9 @@ template <class Graph>
 std::vector<SMC::Constriction<Graph> > detect(const Graph& mesh)
 {
   std::vector<SMC::Constriction<Graph> > curves;
-  SMC::detect_constrictions(mesh, std::back_inserter(curves), SMC::parameters::all_constrictions(true));
+  SMC::detect_constrictions(
+      mesh, std::back_inserter(curves),
+      SMC::parameters::all_constrictions(true, SMC::parameters::seed_detection(SMC::Seed_detection::ON_APPEARANCE)));
   return curves;
 }
 

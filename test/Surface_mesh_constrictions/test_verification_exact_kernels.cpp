@@ -30,7 +30,9 @@ typedef displaced_curves::Displacements<Mesh> Displacements;
 std::vector<Constriction> detect(const Mesh& mesh)
 {
   std::vector<Constriction> curves;
-  SMC::detect_constrictions(mesh, std::back_inserter(curves), SMC::parameters::all_constrictions(true));
+  SMC::detect_constrictions(
+      mesh, std::back_inserter(curves),
+      SMC::parameters::all_constrictions(true, SMC::parameters::seed_detection(SMC::Seed_detection::ON_APPEARANCE)));
   EXPECT_FALSE(curves.empty());
   return curves;
 }

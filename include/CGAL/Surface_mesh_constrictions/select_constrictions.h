@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/composed_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/reordered.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -15,8 +16,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -125,32 +124,16 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
         crossing[j].push_back(i);
       }
   std::vector<std::size_t> selected;
-  std::vector<std::optional<std::size_t> > place(given.size());
+  std::vector<bool> is_selected(given.size(), false);
   for(std::size_t i : order)
     if(selected.size() < maximum_number &&
-       std::none_of(crossing[i].begin(), crossing[i].end(), [&](std::size_t j) { return place[j].has_value(); }))
+       std::none_of(crossing[i].begin(), crossing[i].end(), [&](std::size_t j) { return is_selected[j]; }))
     {
-      place[i] = selected.size();
+      is_selected[i] = true;
       selected.push_back(i);
     }
-  const auto places = [&place](const std::vector<std::size_t>& numbers) {
-    std::vector<std::size_t> result;
-    for(std::size_t j : numbers)
-      if(place[j])
-        result.push_back(*place[j]);
-    return result;
-  };
-  for(std::size_t i : selected)
-  {
-    std::optional<std::size_t> dominating = given[i].dominated_by();
-    while(dominating && !place[*dominating])
-      dominating = given[*dominating].dominated_by();
-    typename Result::Data data = given[i].data();
-    data.dominated_by = dominating ? place[*dominating] : std::nullopt;
-    data.crosses = places(given[i].crosses());
-    data.crosses_oddly = places(given[i].crosses_oddly());
-    *out++ = Result(std::move(data));
-  }
+  for(const Result& c : internal::reordered(given, selected, selected.size()))
+    *out++ = c;
   return out;
 }
 
