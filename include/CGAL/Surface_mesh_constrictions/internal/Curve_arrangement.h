@@ -29,6 +29,7 @@ class Curve_arrangement
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
   typedef typename Arc_order<TriangleMesh>::Place Arc_place;
 
@@ -175,8 +176,6 @@ private:
     friend bool operator==(const Ray& a, const Ray& b) { return a.arc == b.arc && a.is_forward == b.is_forward; }
   };
 
-  halfedge_descriptor edge_halfedge(halfedge_descriptor h) const { return halfedge(edge(h, m_tm), m_tm); }
-
   vertex_descriptor start(const Arc_use& use) const
   {
     return use.is_forward ? m_arcs[use.arc].from : m_arcs[use.arc].to;
@@ -200,7 +199,7 @@ private:
     m_first_crossing.push_back(m_crossings.size());
     if(added.is_edge())
     {
-      m_runs.emplace(edge_halfedge(added.edge), a);
+      m_runs.emplace(edge(added.edge, m_tm), a);
       return;
     }
     for(std::size_t i = 0; i < added.crossed.size(); ++i)
@@ -216,15 +215,15 @@ private:
     const Arc& arc = m_arcs[a];
     if(arc.is_edge())
     {
-      const auto run = m_runs.find(edge_halfedge(arc.edge));
+      const auto run = m_runs.find(edge(arc.edge, m_tm));
       if(run == m_runs.end())
         return std::nullopt;
       return Arc_use{run->second, m_arcs[run->second].edge == arc.edge};
     }
-    const auto edge = m_edge_index.find(edge_halfedge(arc.crossed[0]));
-    if(edge == m_edge_index.end())
+    const auto crossed = m_edge_index.find(edge(arc.crossed[0], m_tm));
+    if(crossed == m_edge_index.end())
       return std::nullopt;
-    for(std::size_t c : m_edges[edge->second].crossings)
+    for(std::size_t c : m_edges[crossed->second].crossings)
     {
       const Crossing& other = m_crossings[c];
       if(m_order.is_same({a, 0}, {other.arc, other.position}))
@@ -235,11 +234,11 @@ private:
 
   void add_crossing(std::size_t a, std::size_t position)
   {
-    const halfedge_descriptor h = edge_halfedge(m_arcs[a].crossed[position]);
-    const auto inserted = m_edge_index.emplace(h, m_edges.size());
+    const auto inserted = m_edge_index.emplace(edge(m_arcs[a].crossed[position], m_tm), m_edges.size());
     if(inserted.second)
-      m_edges.push_back({h, {}});
+      m_edges.push_back({m_arcs[a].crossed[position], {}});
     const std::size_t e = inserted.first->second;
+    const halfedge_descriptor h = m_edges[e].halfedge;
     m_crossings.push_back({a, position, e, 0});
     std::vector<std::size_t>& list = m_edges[e].crossings;
     const auto is_before = [&](std::size_t c, std::size_t d) {
@@ -311,14 +310,14 @@ private:
       const Arc& arc = m_arcs[a];
       if(arc.is_edge())
       {
-        const auto edge = m_edge_index.find(edge_halfedge(arc.edge));
-        if(edge != m_edge_index.end() && !m_edges[edge->second].crossings.empty())
-          return m_curve_of_arc[m_crossings[m_edges[edge->second].crossings.front()].arc];
+        const auto beneath = m_edge_index.find(edge(arc.edge, m_tm));
+        if(beneath != m_edge_index.end() && !m_edges[beneath->second].crossings.empty())
+          return m_curve_of_arc[m_crossings[m_edges[beneath->second].crossings.front()].arc];
         continue;
       }
       for(halfedge_descriptor h : arc.crossed)
       {
-        const auto run = m_runs.find(edge_halfedge(h));
+        const auto run = m_runs.find(edge(h, m_tm));
         if(run != m_runs.end())
           return m_curve_of_arc[run->second];
       }
@@ -444,7 +443,7 @@ private:
     {
       const Arc& arc = m_arcs.back();
       if(arc.is_edge())
-        m_runs.erase(edge_halfedge(arc.edge));
+        m_runs.erase(edge(arc.edge, m_tm));
       for(halfedge_descriptor h : arc.crossed)
         for(face_descriptor f : {face(h, m_tm), face(opposite(h, m_tm), m_tm)})
         {
@@ -465,7 +464,7 @@ private:
   std::vector<Edge> m_edges;
   std::vector<Face> m_faces;
   std::vector<Curve> m_curves;
-  std::unordered_map<halfedge_descriptor, std::size_t> m_edge_index, m_runs; // by the halfedge that stands for the edge
+  std::unordered_map<edge_descriptor, std::size_t> m_edge_index, m_runs;
   std::unordered_map<face_descriptor, std::size_t> m_face_index;
   std::unordered_map<vertex_descriptor, std::vector<Visit>> m_visits;
 };
