@@ -254,7 +254,7 @@ void expect_parts_of_file(const std::string& name, std::size_t number_of_parts)
   expect_parts(mesh, all);
 }
 
-TEST(Split_real_meshes, Cactus) { expect_parts_of_file("cactus.off", 3); }
+TEST(Split_real_meshes, Cactus) { expect_parts_of_file("cactus.off", 4); }
 TEST(Split_real_meshes, Eight) { expect_parts_of_file("eight.off", 1); }
 
 } // namespace
