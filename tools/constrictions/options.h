@@ -2,6 +2,8 @@
 #ifndef CONSTRICTIONS_OPTIONS_H
 #define CONSTRICTIONS_OPTIONS_H
 
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -10,7 +12,7 @@
 
 namespace constrictions {
 
-enum class Command { DETECT, TIGHTEN, CERTIFY };
+enum class Command { DETECT, TIGHTEN, CERTIFY, SEGMENT };
 
 enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
 
@@ -30,6 +32,14 @@ struct Search
   bool certifies = true;
 };
 
+/// Which constrictions cut the surface into parts, and what is written of these.
+struct Segmentation
+{
+  std::optional<std::size_t> parts; ///< at most
+  std::optional<CGAL::Surface_mesh_constrictions::Side> side;
+  bool open = false; ///< without caps
+};
+
 /// What the user asks for. A file or folder that was not asked for has an empty name.
 struct Options
 {
@@ -43,6 +53,7 @@ struct Options
   Policy policy = Policy::GARLAND_HECKBERT;
   Search search;
   Selection selection;
+  Segmentation segmentation;
   bool quiet = false;
 
   bool prints_json() const { return json == "-"; }
@@ -50,6 +61,9 @@ struct Options
 
   std::vector<std::string> json_files() const;
   std::vector<std::string> polylines_files() const;
+
+  /// a file for the parts, in the folder
+  std::string file_in_folder(const std::string& name) const;
 };
 
 /// reads the command line. Returns the exit code if there is nothing to be done: after a request for help, and, with a
