@@ -17,6 +17,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -45,8 +46,8 @@ struct Edge_mark
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
   EdgeIsConstrainedMap map;
 
-  bool get(edge_descriptor e) const { return boost::get(map, e); }
-  void put(edge_descriptor e, bool is_marked) { boost::put(map, e, is_marked); }
+  bool is_marked(edge_descriptor e) const { return get(map, e); }
+  void mark(edge_descriptor e, bool value) { put(map, e, value); }
 };
 
 // Where the user has no map.
@@ -55,8 +56,8 @@ struct No_edge_mark
 {
   typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
 
-  bool get(edge_descriptor) const { return false; }
-  void put(edge_descriptor, bool) {}
+  bool is_marked(edge_descriptor) const { return false; }
+  void mark(edge_descriptor, bool) {}
 };
 
 template <class TriangleMesh, class NamedParameters>

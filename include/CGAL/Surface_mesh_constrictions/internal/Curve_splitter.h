@@ -24,7 +24,7 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Turns arranged curves into edges of the mesh, and keeps it a triangle mesh.
-// `Edge_mark` has get(edge) and put(edge, bool).
+// `EdgeMark` has is_marked(edge) and mark(edge, bool).
 template <class TriangleMesh, class VertexPointMap, class EdgeMark, class Visitor>
 class Curve_splitter
 {
@@ -62,7 +62,7 @@ public:
       split_face(ring);
     for(const std::vector<halfedge_descriptor>& arc : m_halfedges)
       for(halfedge_descriptor h : arc)
-        m_mark.put(edge(h, m_tm), true);
+        m_mark.mark(edge(h, m_tm), true);
   }
 
   // the halfedges along a curve, in its direction
@@ -117,12 +117,12 @@ private:
   void split_edge(std::size_t e)
   {
     const halfedge_descriptor h = m_arrangement.edges()[e].halfedge;
-    const bool is_marked = m_mark.get(edge(h, m_tm));
+    const bool is_marked = m_mark.is_marked(edge(h, m_tm));
     for(const Point& p : crossing_points(e))
     {
       const halfedge_descriptor piece = Euler::split_edge(h, m_tm);
       put(m_vpm, target(piece, m_tm), p);
-      m_mark.put(edge(piece, m_tm), is_marked);
+      m_mark.mark(edge(piece, m_tm), is_marked);
       m_edge_pieces[e].push_back(piece);
       m_visitor.edge_split(piece, m_tm);
     }
@@ -187,7 +187,7 @@ private:
     for(const std::array<std::size_t, 2>& d : best_diagonals(polygon))
     {
       const halfedge_descriptor up = cut_off(d[0], d[1], to);
-      m_mark.put(edge(up, m_tm), false);
+      m_mark.mark(edge(up, m_tm), false);
       m_visitor.after_subface_created(face(up, m_tm), m_tm);
     }
   }
