@@ -31,7 +31,7 @@ class Split : public testing::Test
 {};
 
 typedef testing::Types<Mesh, Exact_mesh, Polyhedron> Meshes;
-TYPED_TEST_SUITE(Split, Meshes);
+TYPED_TEST_SUITE(Split, Meshes, );
 
 template <class Graph>
 std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> random_loop(const Graph& mesh, std::mt19937& random)
