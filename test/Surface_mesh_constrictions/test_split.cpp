@@ -95,6 +95,27 @@ TYPED_TEST(Split, RandomSurfacesAlongRandomGeodesics)
   EXPECT_GT(crossing, 200u);
 }
 
+// Whatever the parameters, nothing is flipped, and the parts are those of the combinatorial curves.
+TYPED_TEST(Split, ParametersOfAnyValue)
+{
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> parameter(0, 4);
+  for(unsigned seed = 1; seed < 60; seed += 3)
+  {
+    SCOPED_TRACE(seed);
+    TypeParam mesh = test_meshes::make_graph<TypeParam>(test_meshes::torus(0.3, seed, 9, 6));
+    std::vector<SMC::Constriction<TypeParam>> curves;
+    for(const auto& c : random_geodesics(mesh, seed))
+    {
+      typename SMC::Constriction<TypeParam>::Data data = c.data();
+      for(auto& l : data.locations)
+        l.parameter = l.is_pivot ? 0 : parameter(random) / 4.;
+      curves.push_back(SMC::Constriction<TypeParam>(data));
+    }
+    expect_parts(mesh, curves, false);
+  }
+}
+
 // A curve that crosses another is refused whichever of them comes first.
 TEST(Split_order, CrossingDoesNotDependOnTheOrder)
 {

@@ -106,8 +106,9 @@ bool is_parallel(const Vector& n, const Vector& old_normal, double longest_edge)
 }
 
 // Segments and splits a closed mesh along curves and checks everything that does not depend on the particular surface.
+// Curves with made-up parameters are moved, and do not keep their lengths.
 template <class Mesh>
-Split_mesh<Mesh> expect_parts(Mesh& mesh, const std::vector<SMC::Constriction<Mesh>>& curves)
+Split_mesh<Mesh> expect_parts(Mesh& mesh, const std::vector<SMC::Constriction<Mesh>>& curves, bool keeps_lengths = true)
 {
   typedef boost::graph_traits<Mesh> Graph_traits;
   typedef typename Graph_traits::face_descriptor Face;
@@ -193,7 +194,7 @@ Split_mesh<Mesh> expect_parts(Mesh& mesh, const std::vector<SMC::Constriction<Me
       length += CGAL::to_double(PMP::edge_length(cycle[j], mesh));
       expected += std::sqrt(CGAL::to_double(CGAL::squared_distance(points[i][j], points[i][(j + 1) % cycle.size()])));
     }
-    EXPECT_NEAR(length, expected, 1e-12 * expected);
+    EXPECT_TRUE(!keeps_lengths || std::abs(length - expected) <= 1e-12 * expected);
   }
   std::set<Vertex> vertices_on_curves;
   std::size_t marks = 0;
