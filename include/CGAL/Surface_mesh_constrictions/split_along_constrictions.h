@@ -138,9 +138,10 @@ auto edge_mark(const NamedParameters& np)
 ///
 /// \throws Invalid_input for a curve that is no closed sequence of locations on triangles of `tm`, and, with
 ///         `maximum_number_of_parts`, for a mesh that cannot be used; `tm` is then not changed
-/// \cost linear in the number of crossings, plus for each a search among those of the same edge, whose steps are linear
-///       in the number of edges that two curves cross one after the other, plus the number of strands in its face. The
-///       size of the mesh does not count, unless `maximum_number_of_parts` is given.
+/// \cost linear in the number of crossed faces, if few curves cross each: for each crossing, linear in the number of
+///       crossings of the same edge and of strands in the same face, plus, for each stretch on which two curves cross
+///       the same edges, linear in its length. The size of the mesh does not count, unless `maximum_number_of_parts` is
+///       given.
 ///
 /// \sa `extract_parts()`
 template <class TriangleMesh, class ConstrictionRange,

@@ -75,7 +75,8 @@ public:
 
   // Inserts a curve unless it crosses one that is there, or itself, and returns which: its number, or else none.
   // Numbers are the user's. Throws Invalid_input for what is no closed curve, and then nothing is inserted.
-  // For each crossing, a search among those of its edge, and the number of strands in its face.
+  // Linear in the number of crossings, times the number of crossings of one edge and of strands in one face; plus, for
+  // each stretch on which two arcs cross the same edges, its length times the logarithm of the number of crossings.
   std::optional<std::size_t> insert(const Constriction<TriangleMesh>& constriction, std::size_t number)
   {
     const std::size_t old_arcs = m_arcs.size(), old_crossings = m_crossings.size();
@@ -241,12 +242,49 @@ private:
     const halfedge_descriptor h = m_edges[e].halfedge;
     m_crossings.push_back({a, position, e, 0});
     std::vector<std::size_t>& list = m_edges[e].crossings;
-    const auto is_before = [&](std::size_t c, std::size_t d) {
-      return m_order.is_before(h, {m_crossings[c].arc, m_crossings[c].position},
-                               {m_crossings[d].arc, m_crossings[d].position});
-    };
-    list.insert(std::upper_bound(list.begin(), list.end(), m_crossings.size() - 1, is_before), m_crossings.size() - 1);
+    std::optional<std::size_t> rank;
+    // at the first edge of a closed arc there may be others between, as the strand that comes in there is still missing
+    if(position > 0 && !(m_arcs[a].is_closed && m_crossings[m_first_crossing[a]].edge == e))
+      rank = rank_beside_neighbour(a, position);
+    if(!rank)
+    {
+      const auto is_before = [&](std::size_t c, std::size_t d) {
+        return m_order.is_before(h, {m_crossings[c].arc, m_crossings[c].position},
+                                 {m_crossings[d].arc, m_crossings[d].position});
+      };
+      rank = std::upper_bound(list.begin(), list.end(), m_crossings.size() - 1, is_before) - list.begin();
+    }
+    list.insert(list.begin() + static_cast<std::ptrdiff_t>(*rank), m_crossings.size() - 1);
     number(list);
+  }
+
+  // Where an arc crosses an edge, if one that was beside it at the edge before goes the same way: it still is. None if
+  // there is no such arc. Following arcs that run together for long, crossing by crossing, would take quadratic time.
+  std::optional<std::size_t> rank_beside_neighbour(std::size_t a, std::size_t position) const
+  {
+    const halfedge_descriptor from = m_arcs[a].crossed[position - 1], to = m_arcs[a].crossed[position];
+    const Crossing& before = m_crossings[crossing(a, position - 1)];
+    const Edge& edge_before = m_edges[before.edge];
+    for(const bool is_lower : {true, false})
+    {
+      if(before.rank == (is_lower ? 0 : edge_before.crossings.size() - 1))
+        continue;
+      const Crossing& beside = m_crossings[edge_before.crossings[is_lower ? before.rank - 1 : before.rank + 1]];
+      const Arc& arc = m_arcs[beside.arc];
+      const std::size_t n = arc.crossed.size();
+      const bool is_forward = arc.crossed[beside.position] == from;
+      if(!arc.is_closed && beside.position == (is_forward ? n - 1 : 0))
+        continue;
+      const std::size_t next = (beside.position + (is_forward ? 1 : n - 1)) % n;
+      if((is_forward ? arc.crossed[next] : opposite(arc.crossed[next], m_tm)) != to ||
+         (beside.arc == a && next >= position))
+        continue;
+      const Crossing& neighbour = m_crossings[crossing(beside.arc, next)];
+      // nearer to the source of one crossed halfedge is nearer to the source of the next
+      const bool is_nearer_to_source = is_lower == (edge_before.halfedge == from);
+      return neighbour.rank + (is_nearer_to_source == (m_edges[neighbour.edge].halfedge == to) ? 1 : 0);
+    }
+    return std::nullopt;
   }
 
   void number(const std::vector<std::size_t>& list)
