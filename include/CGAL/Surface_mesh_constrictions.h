@@ -18,12 +18,15 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_preserving_placement.h>
 #include <CGAL/Surface_mesh_constrictions/Shortest_path_verification.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Split_visitor_base.h>
+#include <CGAL/Surface_mesh_constrictions/Surface_part.h>
 #include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions_near.h>
+#include <CGAL/Surface_mesh_constrictions/extract_parts.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
@@ -31,8 +34,10 @@
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/section_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/seed_sources.h>
+#include <CGAL/Surface_mesh_constrictions/segment_by_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
+#include <CGAL/Surface_mesh_constrictions/split_along_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/verify_with_shortest_paths.h>
 

@@ -6,6 +6,7 @@
 #include "curves_file.h"
 #include "loops_file.h"
 #include "options.h"
+#include "parts.h"
 #include "report.h"
 #include "stage_monitor.h"
 
@@ -29,6 +30,9 @@ void tighten_loops(const Loops& loops, bool certifies, Stage_monitor& monitor, R
 
 /// the certificate of each of the curves
 std::vector<Certified_curve> certify_curves(const Mesh& mesh, const Curves& curves, Stage_monitor& monitor);
+
+/// cuts the mesh along those of the constrictions that are chosen; everything but the time.
+Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constrictions, const Segmentation& segmentation);
 
 } // namespace constrictions
 

@@ -5,6 +5,7 @@
 #include "input_file.h"
 #include "options.h"
 #include "output_file.h"
+#include "parts.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 
@@ -37,6 +38,9 @@ void check_outputs(const Options& options)
 {
   if(!options.folder.empty())
     create_folder(options.folder);
+  if(options.command == Command::SEGMENT)
+    for(const char* name : {"parts.json", "parts.ply"})
+      check_writable(options.file_in_folder(name));
   for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
     for(const std::string& file : files)
       check_writable(file);
@@ -89,6 +93,19 @@ void tighten(const Options& options, const Loops& loops, Stage_monitor& monitor,
   }
 }
 
+void write_parts(const Options& options, const Report& report, const Parts& parts)
+{
+  std::vector<Output_file> files = {
+      {options.file_in_folder("parts.json"), parts_as_json(report, parts)},
+      {options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)}};
+  for(std::size_t p = 0; p < parts.parts.size(); ++p)
+    files.push_back({options.file_in_folder(part_file_name(p)),
+                     mesh_as_ply(parts.parts[p].mesh, std::vector<std::size_t>(parts.parts[p].mesh.num_faces(), p))});
+  write_files(files);
+  if(!options.quiet)
+    write_to_standard_output(parts_as_table(parts));
+}
+
 void run(const Options& options)
 {
   const auto begin = std::chrono::steady_clock::now();
@@ -103,16 +120,25 @@ void run(const Options& options)
 
   {
     Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
-    if(options.command == Command::DETECT)
-      detect(options, monitor, report);
-    else
+    if(options.command == Command::TIGHTEN)
       tighten(options, loops, monitor, report);
+    else
+      detect(options, monitor, report);
     report.seconds.simplify = monitor.seconds(Detection_stage::SIMPLIFICATION);
     report.seconds.seeds = monitor.seconds(Detection_stage::SEEDS);
     report.seconds.refine = monitor.seconds(Detection_stage::REFINEMENT);
     report.seconds.tighten = monitor.seconds(Detection_stage::TIGHTENING);
     report.seconds.certify = monitor.seconds(Detection_stage::CERTIFICATION);
     report.seconds.select = monitor.seconds(Detection_stage::SELECTION);
+  }
+  if(options.command == Command::SEGMENT)
+  {
+    const auto detected = std::chrono::steady_clock::now();
+    Parts parts = segment_mesh(report.mesh, report.constrictions, options.segmentation);
+    parts.seconds = seconds_since(detected);
+    report.seconds.total = seconds_since(begin);
+    write_parts(options, report, parts);
+    return;
   }
   report.seconds.total = seconds_since(begin);
   write_outputs(options, report);

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <optional>
+#include <regex>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -33,6 +35,8 @@ const char* const examples =
     "      prints the constriction nearest to a place: the loop around a finger\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
+    "  constrictions segment bone.ply -o parts --side object\n"
+    "      cuts the surface at its necks; writes parts/parts.ply, parts/parts.json and parts/part_0.ply ...\n"
     "  constrictions certify bone.ply --curves result/constrictions.json\n"
     "      proves with exact arithmetic that the curves are constrictions, or says what is wrong with them\n"
     "\n"
@@ -94,6 +98,53 @@ void add_certify_options(CLI::App& command, Options& options)
                  "the\nreason. The exit code is 0 only if every curve is certified, else 1.\n");
 }
 
+void add_policy(CLI::App& command, std::string& policy)
+{
+  command
+      .add_option("--policy", policy,
+                  "how the mesh is simplified in the search for curves: gh Garland-Heckbert (default), lt "
+                  "Lindstrom-Turk, length shortest edge first")
+      ->type_name("gh|lt|length")
+      ->check(CLI::IsMember({"gh", "lt", "length"}).description(""));
+}
+
+CLI::Option* add_seeds(CLI::App& command, Search& search)
+{
+  return command
+      .add_option_function<std::string>(
+          "--seeds", [&search](const std::string& seeds) { search.triangles_only = seeds == "triangles"; },
+          "where the search starts: all from several kinds of closed curves on the simplified mesh (default), "
+          "triangles from three edges without a face only, which is faster and misses more")
+      ->type_name("all|triangles")
+      ->check(CLI::IsMember({"all", "triangles"}).description(""));
+}
+
+void add_segment_options(CLI::App& command, Options& options, std::string& side)
+{
+  add_mesh(command, options);
+  command
+      .add_option("-o", options.folder,
+                  "write parts.ply, the mesh with a colour and a patch number for each face, parts.json, and for each "
+                  "part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing")
+      ->type_name("DIR")
+      ->required()
+      ->check(not_empty);
+  command.add_option("--parts", options.segmentation.parts, "cut into N parts at most, along the most prominent curves")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t(1), (std::numeric_limits<std::size_t>::max)()).description(""));
+  command
+      .add_option("--side", side,
+                  "cut along curves only that choke the object, as at its necks, or the space around it, as in the hole "
+                  "of a ring")
+      ->type_name("object|complement")
+      ->check(CLI::IsMember({"object", "complement"}).description(""));
+  command.add_flag("--open", options.segmentation.open, "do not close the holes of the parts");
+  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
+                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+  command.add_flag("--quiet", options.quiet, "show no progress bar, and print no table");
+  command.footer("\nPrints a table of the parts. Of two curves that cross the more prominent one cuts.\n");
+}
+
 void add_selection_options(CLI::App& command, Selection& selection)
 {
   const CLI::Validator not_negative(
@@ -153,6 +204,15 @@ void add_near_option(CLI::App& command, Search& search)
       ->check(is_location);
 }
 
+// Whether a file has a name and a place that segment writes to.
+bool is_part_file(const std::string& name, const std::string& folder)
+{
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
+  return place.parent_path() == fs::weakly_canonical(fs::absolute(folder), error) &&
+         std::regex_match(place.filename().string(), std::regex("parts\\.(ply|json)|part_[0-9]+\\.ply"));
+}
+
 // Files that would overwrite each other or the input are a mistake on the command line.
 void check_files(const Options& options)
 {
@@ -163,6 +223,9 @@ void check_files(const Options& options)
   const std::size_t inputs = names.size();
   for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
     names.insert(names.end(), files.begin(), files.end());
+
+  if(options.command == Command::SEGMENT && is_part_file(options.mesh, options.folder))
+    throw CLI::ValidationError(options.mesh, "the output could overwrite the input");
 
   std::vector<fs::path> places;
   for(const std::string& name : names)
@@ -192,12 +255,17 @@ std::vector<std::string> files(const std::string& folder, const char* name_in_fo
 
 std::vector<std::string> Options::json_files() const
 {
-  return files(folder, "constrictions.json", json);
+  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.json", json);
+}
+
+std::string Options::file_in_folder(const std::string& name) const
+{
+  return (fs::path(folder) / name).string();
 }
 
 std::vector<std::string> Options::polylines_files() const
 {
-  return files(folder, "constrictions.polylines.txt", polylines);
+  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.polylines.txt", polylines);
 }
 
 std::optional<int> parse_options(int argc, char** argv, Options& options)
@@ -209,24 +277,11 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
 
   CLI::App& detect = *app.add_subcommand("detect", "find the constrictions of a mesh");
   add_common_options(detect, options);
-  std::string policy = "gh";
-  detect
-      .add_option("--policy", policy,
-                  "how the mesh is simplified in the search for curves: gh Garland-Heckbert (default), lt "
-                  "Lindstrom-Turk, length shortest edge first")
-      ->type_name("gh|lt|length")
-      ->check(CLI::IsMember({"gh", "lt", "length"}).description(""));
-
+  std::string policy = "gh", side;
+  add_policy(detect, policy);
   add_selection_options(detect, options.selection);
   add_near_option(detect, options.search);
-  std::string seeds = "all";
-  detect
-      .add_option("--seeds", seeds,
-                  "where the search starts: all from several kinds of closed curves on the simplified mesh (default), "
-                  "triangles from three edges without a face only, which is faster and misses more")
-      ->type_name("all|triangles")
-      ->excludes("--near")
-      ->check(CLI::IsMember({"all", "triangles"}).description(""));
+  add_seeds(detect, options.search)->excludes("--near");
 
   CLI::App& tighten = *app.add_subcommand("tighten", "shorten given loops until they are constrictions");
   add_common_options(tighten, options);
@@ -240,17 +295,27 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   CLI::App& certify = *app.add_subcommand("certify", "prove that given curves are constrictions");
   add_certify_options(certify, options);
 
+  CLI::App& segment = *app.add_subcommand("segment", "cut the surface into parts along its constrictions");
+  add_segment_options(segment, options, side);
+  add_selection_options(segment, options.selection);
+  add_policy(segment, policy);
+  add_seeds(segment, options.search);
+
   try
   {
     app.parse(argc, argv);
     options.command = tighten.parsed()   ? Command::TIGHTEN
                       : certify.parsed() ? Command::CERTIFY
+                      : segment.parsed() ? Command::SEGMENT
                                          : Command::DETECT;
     options.policy = policy == "gh"   ? Policy::GARLAND_HECKBERT
                      : policy == "lt" ? Policy::LINDSTROM_TURK
                                       : Policy::EDGE_LENGTH;
     if(options.search.location && !options.selection.minimum_prominence)
       options.selection.minimum_prominence = 0;
+    if(!side.empty())
+      options.segmentation.side = side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
+                                                   : CGAL::Surface_mesh_constrictions::Side::COMPLEMENT;
     check_files(options);
   }
   catch(const CLI::ParseError& e)

@@ -2,6 +2,8 @@
 #ifndef CONSTRICTIONS_OPTIONS_H
 #define CONSTRICTIONS_OPTIONS_H
 
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -11,7 +13,7 @@
 
 namespace constrictions {
 
-enum class Command { DETECT, TIGHTEN, CERTIFY };
+enum class Command { DETECT, TIGHTEN, CERTIFY, SEGMENT };
 
 enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
 
@@ -32,6 +34,14 @@ struct Search
   std::optional<std::array<double, 3> > location; ///< near which, instead of everywhere
 };
 
+/// Which constrictions cut the surface into parts, and what is written of these.
+struct Segmentation
+{
+  std::optional<std::size_t> parts; ///< at most
+  std::optional<CGAL::Surface_mesh_constrictions::Side> side;
+  bool open = false; ///< without caps
+};
+
 /// What the user asks for. A file or folder that was not asked for has an empty name.
 struct Options
 {
@@ -45,6 +55,7 @@ struct Options
   Policy policy = Policy::GARLAND_HECKBERT;
   Search search;
   Selection selection;
+  Segmentation segmentation;
   bool quiet = false;
 
   bool prints_json() const { return json == "-"; }
@@ -52,6 +63,9 @@ struct Options
 
   std::vector<std::string> json_files() const;
   std::vector<std::string> polylines_files() const;
+
+  /// a file for the parts, in the folder
+  std::string file_in_folder(const std::string& name) const;
 };
 
 /// reads the command line. Returns the exit code if there is nothing to be done: after a request for help, and, with a

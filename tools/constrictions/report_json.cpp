@@ -2,9 +2,7 @@
 #include "report.h"
 
 #include "certificates.h"
-
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
+#include "mesh_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,16 +23,6 @@ namespace {
 
 typedef nlohmann::ordered_json Json;
 namespace SMC = CGAL::Surface_mesh_constrictions;
-
-const char* name(SMC::Side side)
-{
-  switch(side)
-  {
-    case SMC::Side::OBJECT: return "object";
-    case SMC::Side::COMPLEMENT: return "complement";
-    default: return "mixed";
-  }
-}
 
 const char* name(SMC::Seed_origin origin)
 {
@@ -59,24 +47,6 @@ std::uint64_t peak_rss_bytes()
   const std::uint64_t unit = 1024;
 #endif
   return unit * static_cast<std::uint64_t>(usage.ru_maxrss);
-}
-
-// Vertices on no face are counted, as they have numbers, but do not belong to the surface that has a genus.
-Json mesh_as_json(const std::string& file, const Mesh& mesh)
-{
-  namespace PMP = CGAL::Polygon_mesh_processing;
-  std::vector<std::size_t> component(mesh.num_faces());
-  const std::size_t components =
-      PMP::connected_components(mesh, CGAL::make_property_map(component));
-  const std::int64_t euler_characteristic = std::int64_t(mesh.number_of_vertices()) -
-                                            std::int64_t(mesh.number_of_edges()) +
-                                            std::int64_t(mesh.number_of_faces());
-  return {{"file", file},
-          {"vertices", mesh.num_vertices()},
-          {"faces", mesh.number_of_faces()},
-          {"components", components},
-          {"genus", std::int64_t(components) - euler_characteristic / 2},
-          {"area", PMP::area(mesh)}};
 }
 
 Json points_as_json(const Constriction& c, const Mesh& mesh)
@@ -146,7 +116,7 @@ Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mes
           {"locations", locations_as_json(c, mesh, is_turned)},
           {"pivots", pivots_as_json(c)},
           {"certificate", certificate_as_text(c.certificate())},
-          {"side", name(c.side())},
+          {"side", side_name(c.side())},
           {"separating", c.is_separating()},
           {"areas", c.areas()},
           {"isoperimetric_ratio", c.isoperimetric_ratio()},

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""render_curves.py MESH.off CURVES.json OUT.png [--size 900] [--view X Y Z] [--up X Y Z]
+"""render_curves.py MESH.off CURVES.json|- OUT.png [--size 900] [--view X Y Z] [--up X Y Z]
 
-Draws a mesh and the curves that `constrictions detect --json CURVES.json` found on it. The pictures of the manual are
-made with it. Needs numpy only."""
+Draws a mesh and the curves that `constrictions detect --json CURVES.json` found on it; or, with - for the curves, the
+parts in the file parts.ply that `constrictions segment` writes. The pictures of the manual are made with it. Needs
+numpy only."""
 import argparse
 import json
 import struct
@@ -19,7 +20,18 @@ def read_off(name):
     nv, nf = int(rows[0][0]), int(rows[0][1])
     points = np.array([row[:3] for row in rows[1 : nv + 1]], float)
     faces = np.array([row[1:4] for row in rows[nv + 1 : nv + nf + 1]], int)
-    return points, faces
+    return points, faces, np.tile([203.0, 208.0, 214.0], (len(faces), 1))
+
+
+def read_parts(name):
+    """Points, faces and colours of faces of a PLY file with the header that the program writes."""
+    data = open(name, "rb").read()
+    end = data.index(b"end_header\n") + len("end_header\n")
+    counts = {line.split()[1]: int(line.split()[2]) for line in data[:end].decode().splitlines() if line[:7] == "element"}
+    points = np.frombuffer(data, "<f8", 3 * counts["vertex"], end).reshape(-1, 3)
+    face = np.dtype([("n", "u1"), ("corners", "<i4", 3), ("colour", "u1", 3), ("patch", "<i4")])
+    faces = np.frombuffer(data, face, counts["face"], end + points.nbytes)
+    return points, faces["corners"], faces["colour"].astype(float)
 
 
 def write_png(name, image):
@@ -70,8 +82,10 @@ def main():
     parser.add_argument("--up", type=float, nargs=3, default=(0.0, 1.0, 0.0))
     options = parser.parse_args()
 
-    points, faces = read_off(options.mesh)
-    curves = [np.array(c["points"], float) for c in json.load(open(options.curves))["constrictions"]]
+    points, faces, tints = (read_parts if options.mesh.endswith(".ply") else read_off)(options.mesh)
+    curves = []
+    if options.curves != "-":
+        curves = [np.array(c["points"], float) for c in json.load(open(options.curves))["constrictions"]]
     oversampling = 2
     size = options.size * oversampling
     frame = camera(options.view, options.up)
@@ -92,7 +106,7 @@ def main():
     normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
     light = np.array([0.35, 0.45, 0.82])
     shade = 0.42 + 0.58 * np.abs(normals @ light)
-    tint = np.array([203.0, 208.0, 214.0]) * shade[:, None]
+    tint = tints * shade[:, None]
     extent = np.maximum(np.ptp(corners[:, :, 0], axis=1), np.ptp(corners[:, :, 1], axis=1))
     steps = np.maximum(1, np.ceil(extent * 1.3)).astype(int)
     samples_of_faces, colours_of_faces = [], []

@@ -39,6 +39,9 @@ enum maximum_isoperimetric_ratio_t { maximum_isoperimetric_ratio };
 enum maximum_number_of_constrictions_t { maximum_number_of_constrictions };
 enum crossing_constrictions_t { crossing_constrictions };
 enum all_constrictions_t { all_constrictions };
+enum maximum_number_of_parts_t { maximum_number_of_parts };
+enum choked_side_t { choked_side };
+enum with_caps_t { with_caps };
 
 } // namespace internal_np
 
@@ -71,6 +74,9 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_isoperimetric_ratio)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_constrictions)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(crossing_constrictions)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(all_constrictions)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_parts)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(choked_side)
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(with_caps)
 
 } // namespace parameters
 } // namespace Surface_mesh_constrictions

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_SURFACE_PART_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_SURFACE_PART_H
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// A part of a surface that has been cut along closed curves: what hangs together without crossing a curve.
+struct Surface_part
+{
+  /// in the square of the unit of the mesh's coordinates; of crossed faces the pieces count that lie in the part
+  double area;
+
+  /// signed: positive if the normals point out. Each boundary curve is closed by the cone from the curve to its centre
+  /// of mass. Where curves do not touch each other, the cones on the two sides of a curve cancel, so that volumes of
+  /// parts add up.
+  double volume;
+
+  std::size_t genus;                ///< after its boundary curves have been closed by discs
+  std::size_t number_of_boundaries; ///< boundary curves, each counted on each side where the part lies
+  std::size_t number_of_faces;      ///< faces that have been given the id of the part
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Two parts, or twice the same, on the two sides of a curve.
+struct Part_adjacency
+{
+  std::size_t curve; ///< the place of the curve in the input; of several that share the stretch, the first used
+  std::array<std::size_t, 2> parts; ///< on the left and on the right of the curve
+  double length;                    ///< of the curve, or of that stretch of it along which these two parts meet
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// What became of a curve that was to cut a surface.
+struct Cut_outcome
+{
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  bool is_used;              ///< whether the surface was cut along it
+  std::size_t crossed_curve; ///< the used curve that it crosses, or itself; none if it was used or not chosen
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// The parts of a surface, how they hang together, and what became of each curve, in the order of the input.
+struct Surface_parts
+{
+  std::vector<Surface_part> parts;
+  std::vector<Part_adjacency> adjacencies; ///< by curve
+  std::vector<Cut_outcome> outcomes;
+};
+
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_SURFACE_PART_H

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/grid_torus.h"
+#include "include/parts_check.h"
+#include "include/test_meshes.h"
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <deque>
+#include <iterator>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_constrictions;
+using parts_check::expect_parts;
+using test_meshes::Mesh;
+typedef CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3> Exact_mesh;
+typedef CGAL::Polyhedron_3<test_meshes::Kernel> Polyhedron;
+
+template <class T>
+class Split : public testing::Test
+{};
+
+typedef testing::Types<Mesh, Exact_mesh, Polyhedron> Meshes;
+TYPED_TEST_SUITE(Split, Meshes, );
+
+template <class Graph>
+std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> random_loop(const Graph& mesh, std::mt19937& random)
+{
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor Vertex;
+  const std::vector<Vertex> all(vertices(mesh).begin(), vertices(mesh).end());
+  std::vector<Vertex> loop;
+  while(loop.size() < 3)
+  {
+    std::array<Vertex, 4> corners;
+    for(Vertex& v : corners)
+      v = all[random() % all.size()];
+    loop.clear();
+    for(std::size_t i = 0; i < corners.size(); ++i)
+    {
+      // fewest edges, by breadth-first search
+      const Vertex to = corners[(i + 1) % corners.size()];
+      std::map<Vertex, Vertex> next = {{to, to}};
+      for(std::deque<Vertex> queue = {to}; next.count(corners[i]) == 0; queue.pop_front())
+        for(Vertex w : CGAL::vertices_around_target(halfedge(queue.front(), mesh), mesh))
+          if(next.emplace(w, queue.front()).second)
+            queue.push_back(w);
+      for(Vertex v = corners[i]; v != to; v = next.at(v))
+        loop.push_back(v);
+    }
+  }
+  return loop;
+}
+
+// Closed geodesics that loops of edges are tightened to. Some are the same, touch or cross.
+template <class Graph>
+std::vector<SMC::Constriction<Graph>> random_geodesics(const Graph& mesh, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<std::vector<typename boost::graph_traits<Graph>::vertex_descriptor>> loops;
+  for(int i = 0; i < 8; ++i)
+    loops.push_back(random_loop(mesh, random));
+  std::vector<SMC::Tightened_curve<Graph>> tightened;
+  SMC::tighten_closed_curves(mesh, loops, std::back_inserter(tightened), SMC::parameters::certify(false));
+  std::vector<SMC::Constriction<Graph>> result;
+  for(const auto& t : tightened)
+    if(t.verdict == SMC::Tightening_verdict::CLOSED_GEODESIC)
+      result.push_back(t.curve);
+  return result;
+}
+
+TYPED_TEST(Split, RandomSurfacesAlongRandomGeodesics)
+{
+  std::size_t used = 0, crossing = 0;
+  for(unsigned seed = 0; seed < 200; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    TypeParam mesh = test_meshes::make_graph<TypeParam>(seed % 3 == 0   ? test_meshes::dumbbell(0.2, seed, 8, 7)
+                                                        : seed % 3 == 1 ? test_meshes::torus(0.3, seed, 9, 6)
+                                                                        : test_meshes::square_ring());
+    const auto parts = expect_parts(mesh, random_geodesics(mesh, seed));
+    for(const SMC::Cut_outcome& o : parts.curves.outcomes)
+      ++(o.is_used ? used : crossing);
+  }
+  EXPECT_GT(used, 300u);
+  EXPECT_GT(crossing, 200u);
+}
+
+// Whatever the parameters, nothing is flipped, and the parts are those of the combinatorial curves.
+TYPED_TEST(Split, ParametersOfAnyValue)
+{
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> parameter(0, 4);
+  for(unsigned seed = 1; seed < 60; seed += 3)
+  {
+    SCOPED_TRACE(seed);
+    TypeParam mesh = test_meshes::make_graph<TypeParam>(test_meshes::torus(0.3, seed, 9, 6));
+    std::vector<SMC::Constriction<TypeParam>> curves;
+    for(const auto& c : random_geodesics(mesh, seed))
+    {
+      typename SMC::Constriction<TypeParam>::Data data = c.data();
+      for(auto& l : data.locations)
+        l.parameter = l.is_pivot ? 0 : parameter(random) / 4.;
+      curves.push_back(SMC::Constriction<TypeParam>(data));
+    }
+    expect_parts(mesh, curves, false);
+  }
+}
+
+// A curve that crosses another is refused whichever of them comes first.
+TEST(Split_order, CrossingDoesNotDependOnTheOrder)
+{
+  for(unsigned seed = 0; seed < 100; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Mesh mesh =
+        test_meshes::make_mesh(seed % 2 == 0 ? test_meshes::square_ring() : test_meshes::torus(0.3, seed, 9, 6));
+    const auto curves = random_geodesics(mesh, seed);
+    for(std::size_t i = 0; i < curves.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j)
+      {
+        SMC::internal::Curve_arrangement<Mesh> forward(mesh), backward(mesh);
+        EXPECT_FALSE(forward.insert(curves[i], i));
+        EXPECT_FALSE(backward.insert(curves[j], j));
+        EXPECT_EQ(forward.insert(curves[j], j).has_value(), backward.insert(curves[i], i).has_value());
+      }
+  }
+}
+
+TYPED_TEST(Split, AFaceThatIsCrossedManyTimes)
+{
+  for(const auto& [p, q] : std::vector<std::array<int, 2>>{{{1, 4}}, {{1, 9}}, {{2, 5}}, {{5, 3}}})
+  {
+    grid_torus::Grid_torus<TypeParam> torus(4, 3);
+    const auto parts = expect_parts(
+        torus.mesh, std::vector<SMC::Constriction<TypeParam>>{torus.line(0.11, p, q), torus.line(0.12, p, q)});
+    EXPECT_EQ(parts.number_of_parts, 2u);
+  }
+}
+
+// The order of the crossings follows from the halfedges that are crossed, not from their parameters.
+TYPED_TEST(Split, ParametersThatCoincide)
+{
+  for(double parameter : {0., 0.5, 1.})
+  {
+    grid_torus::Grid_torus<TypeParam> torus(4, 3);
+    const auto parts =
+        expect_parts(torus.mesh, std::vector<SMC::Constriction<TypeParam>>{torus.line(0.11, 2, 5, parameter)});
+    EXPECT_EQ(parts.number_of_parts, 1u);
+    EXPECT_TRUE(parts.curves.outcomes[0].is_used);
+  }
+}
+
+TYPED_TEST(Split, TouchingAndSharing)
+{
+  typedef std::vector<SMC::Constriction<TypeParam>> Curves;
+  grid_torus::Grid_torus<TypeParam> a(6, 6), b(6, 6), c(6, 6);
+  const std::vector<std::array<int, 2>> touching = {{{1, 0}}, {{2, 1}}, {{3, 2}}, {{3, 3}},
+                                                    {{3, 4}}, {{3, 5}}, {{2, 5}}, {{2, 6}}};
+  const std::vector<std::array<int, 2>> sharing = {{{1, 0}}, {{1, 1}}, {{1, 2}}, {{2, 3}},
+                                                   {{3, 4}}, {{3, 5}}, {{2, 5}}, {{2, 6}}};
+  EXPECT_EQ(expect_parts(a.mesh, Curves{a.meridian(1), a.path(touching)}).number_of_parts, 2u);
+  EXPECT_EQ(expect_parts(b.mesh, Curves{b.meridian(1), b.path(sharing)}).number_of_parts, 2u);
+  EXPECT_EQ(expect_parts(c.mesh, Curves{c.meridian(1), c.equator(1), c.meridian(1)}).number_of_parts, 1u);
+}
+
+TYPED_TEST(Split, KnownParts)
+{
+  TypeParam boxes = test_meshes::make_graph<TypeParam>(test_meshes::boxes_with_tube(2));
+  std::vector<SMC::Constriction<TypeParam>> curves;
+  SMC::detect_constrictions(boxes, std::back_inserter(curves));
+  EXPECT_EQ(expect_parts(boxes, curves).number_of_parts, 2u);
+
+  TypeParam dumbbell = test_meshes::make_graph<TypeParam>(test_meshes::dumbbell(0.1, 3));
+  curves.clear();
+  SMC::detect_constrictions(dumbbell, std::back_inserter(curves));
+  const auto parts = expect_parts(dumbbell, curves);
+  EXPECT_EQ(parts.number_of_parts, 2u);
+  EXPECT_EQ(parts.curves.halfedges[0].size(), curves[0].locations().size());
+}
+
+TYPED_TEST(Split, WithoutCurvesNothingChanges)
+{
+  TypeParam mesh = test_meshes::make_graph<TypeParam>(test_meshes::torus(0.1, 1));
+  const std::size_t before = edges(mesh).size();
+  EXPECT_EQ(expect_parts(mesh, std::vector<SMC::Constriction<TypeParam>>()).number_of_parts, 1u);
+  EXPECT_EQ(edges(mesh).size(), before);
+}
+
+// What is already marked stays marked, piece by piece.
+TYPED_TEST(Split, MarksAreKept)
+{
+  grid_torus::Grid_torus<TypeParam> torus(6, 6);
+  typedef typename boost::graph_traits<TypeParam>::edge_descriptor Edge;
+  std::map<Edge, bool> mark;
+  const auto marked = edge(torus.vertex(1, 0), torus.vertex(2, 0), torus.mesh).first;
+  mark[marked] = true;
+  const auto curves = std::vector<SMC::Constriction<TypeParam>>{torus.line(1.5, 1, 1)};
+  const auto split = SMC::split_along_constrictions(
+      torus.mesh, curves, CGAL::parameters::edge_is_constrained_map(boost::make_assoc_property_map(mark)));
+  std::size_t marks = 0;
+  for(const auto& m : mark)
+    marks += m.second;
+  EXPECT_EQ(marks, split.halfedges[0].size() + 2);
+}
+
+// The mesh is as it was when a curve does not fit.
+TYPED_TEST(Split, ABadCurveLeavesTheMeshAlone)
+{
+  grid_torus::Grid_torus<TypeParam> torus(6, 6);
+  const std::size_t before = edges(torus.mesh).size();
+  const auto curves =
+      std::vector<SMC::Constriction<TypeParam>>{torus.line(0.3, 1, 1), torus.path({{{0, 0}}, {{1, 0}}, {{3, 0}}})};
+  EXPECT_THROW(SMC::split_along_constrictions(torus.mesh, curves), SMC::Invalid_input);
+  EXPECT_EQ(edges(torus.mesh).size(), before);
+}
+
+TEST(Split_order, PartsWithoutCapsHaveBorders)
+{
+  grid_torus::Grid_torus<Mesh> torus(6, 6);
+  auto marks = torus.mesh.add_property_map<Mesh::Edge_index, bool>("e:mark", false).first;
+  SMC::split_along_constrictions(torus.mesh, std::vector<SMC::Constriction<Mesh>>{torus.meridian(1)},
+                                 CGAL::parameters::edge_is_constrained_map(marks));
+  std::vector<Mesh> open, closed;
+  SMC::extract_parts(torus.mesh, marks, std::back_inserter(open), SMC::parameters::with_caps(false));
+  SMC::extract_parts(torus.mesh, marks, std::back_inserter(closed));
+  ASSERT_EQ(open.size(), 1u);
+  EXPECT_EQ(open[0].number_of_vertices(), 42u);
+  EXPECT_EQ(open[0].number_of_faces(), 72u);
+  std::size_t border = 0;
+  for(auto h : open[0].halfedges())
+    border += open[0].is_border(h);
+  EXPECT_EQ(border, 12u);
+  ASSERT_EQ(closed.size(), 1u);
+  EXPECT_EQ(closed[0].number_of_faces(), 80u); // two hexagons
+}
+
+TEST(Split_order, PartsAreLimitedInNumber)
+{
+  for(std::size_t n = 1; n <= 4; ++n)
+  {
+    grid_torus::Grid_torus<Mesh> torus(8, 6);
+    auto marks = torus.mesh.add_property_map<Mesh::Edge_index, bool>("e:mark", false).first;
+    const auto curves = std::vector<SMC::Constriction<Mesh>>{torus.meridian(1), torus.meridian(3), torus.meridian(5)};
+    SMC::split_along_constrictions(
+        torus.mesh, curves,
+        SMC::parameters::maximum_number_of_parts(n, CGAL::parameters::edge_is_constrained_map(marks)));
+    std::vector<Mesh> parts;
+    SMC::extract_parts(torus.mesh, marks, std::back_inserter(parts));
+    EXPECT_EQ(parts.size(), (std::min)(n, std::size_t(3)));
+  }
+}
+
+void expect_parts_of_file(const std::string& name, std::size_t number_of_parts)
+{
+  const std::string file = CONSTRICTIONS_MESH_DIR "/" + name;
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(file, mesh))
+    GTEST_SKIP() << file << " is missing";
+  std::vector<SMC::Constriction<Mesh>> selected, all;
+  SMC::detect_constrictions(mesh, std::back_inserter(selected), SMC::parameters::certify(false));
+  SMC::detect_constrictions(mesh, std::back_inserter(all),
+                            SMC::parameters::certify(false, SMC::parameters::all_constrictions(true)));
+  Mesh copy = mesh;
+  EXPECT_EQ(expect_parts(copy, selected).number_of_parts, number_of_parts);
+  expect_parts(mesh, all);
+}
+
+TEST(Split_real_meshes, Cactus) { expect_parts_of_file("cactus.off", 4); }
+TEST(Split_real_meshes, Eight) { expect_parts_of_file("eight.off", 1); }
+
+} // namespace
