@@ -276,6 +276,6 @@ void expect_parts_of_file(const std::string& name, std::size_t number_of_parts)
 }
 
 TEST(Split_real_meshes, Cactus) { expect_parts_of_file("cactus.off", 4); }
-TEST(Split_real_meshes, Eight) { expect_parts_of_file("eight.off", 1); }
+TEST(Split_real_meshes, Eight) { expect_parts_of_file("eight.off", 2); }
 
 } // namespace
