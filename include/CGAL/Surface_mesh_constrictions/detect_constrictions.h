@@ -19,6 +19,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <optional>
@@ -42,6 +43,8 @@ namespace Surface_mesh_constrictions {
 ///
 /// The same input gives the same output. `tm` is not changed.
 ///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
+///         `Parallel_if_available_tag`. The output is the same.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam OutputIterator takes `Constriction<TriangleMesh>`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -154,7 +157,7 @@ namespace Surface_mesh_constrictions {
 ///
 /// \sa `tighten_closed_curve()`
 /// \sa `select_constrictions()`
-template <class TriangleMesh, class OutputIterator,
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
                                     const NamedParameters& np = CGAL::parameters::default_values())
@@ -181,7 +184,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       [&](const auto&... policies) {
         static_assert(sizeof...(policies) > 0, "simplification_policies is empty");
         std::size_t left = sizeof...(policies);
-        (surface.emplace(internal::carry_seeds_to_input(imported, --left == 0, policies, np, visitor, carried, coarse)),
+        (surface.emplace(internal::carry_seeds_to_input<ConcurrencyTag>(imported, --left == 0, policies, np, visitor, carried, coarse)),
          ...);
       },
       internal::policies_asked_for(np));
