@@ -6,6 +6,7 @@
 #include "options.h"
 #include "output_file.h"
 #include "parts.h"
+#include "thread_limit.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 
@@ -212,6 +213,7 @@ int main(int argc, char** argv)
     return *exit_code;
   try
   {
+    const constrictions::Thread_limit thread_limit(options.threads);
     if(options.command == constrictions::Command::CERTIFY)
       return constrictions::certify(options);
     constrictions::run(options);

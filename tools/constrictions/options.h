@@ -56,6 +56,7 @@ struct Options
   Search search;
   Selection selection;
   Segmentation segmentation;
+  std::optional<std::size_t> threads; ///< at most
   bool quiet = false;
 
   bool prints_json() const { return json == "-"; }

@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
@@ -197,20 +196,23 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
 
   visitor.on_stage_begin(Detection_stage::TIGHTENING, refined.size());
   internal::Curve_network network(pm, false);
-  internal::Curve_settler settler(network);
   std::vector<internal::Found_curve> found =
-      internal::tighten_refined(network, settler, refined, certifies, statistics, [&visitor](std::size_t i) {
+      internal::tighten_refined<ConcurrencyTag>(network, refined, certifies, statistics, [&visitor](std::size_t i) {
         visitor.on_step(Detection_stage::TIGHTENING, i);
       });
-  statistics.leaky_bands = settler.number_of_leaks();
   visitor.on_stage_end(Detection_stage::TIGHTENING);
 
   visitor.on_stage_begin(Detection_stage::CERTIFICATION, certifies ? found.size() : 0);
   if(certifies)
   {
-    internal::Exact_settler<TriangleMesh, std::decay_t<decltype(vpm)> > exact_settler(pm, imported, vpm);
-    internal::certify_found(network, exact_settler, imported.unit(), refined, found, statistics,
-                            [&visitor](std::size_t i) { visitor.on_step(Detection_stage::CERTIFICATION, i); });
+    typedef std::decay_t<decltype(vpm)> Vertex_point_map;
+    // other numbers than the built-in ones may share what they are made of
+    typedef std::decay_t<decltype(get(vpm, imported.vertex(0)).x())> Coordinate;
+    typedef std::conditional_t<std::is_arithmetic<Coordinate>::value, ConcurrencyTag, Sequential_tag> Certification_tag;
+    internal::certify_found<Certification_tag>(
+        network, [&] { return internal::Exact_settler<TriangleMesh, Vertex_point_map>(pm, imported, vpm); },
+        imported.unit(), refined, found, statistics,
+        [&visitor](std::size_t i) { visitor.on_step(Detection_stage::CERTIFICATION, i); });
   }
   internal::merge_coinciding(network, found);
 

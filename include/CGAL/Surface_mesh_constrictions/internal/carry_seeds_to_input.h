@@ -207,7 +207,7 @@ Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, cons
   const std::size_t first = all.refined.size();
   Refinement_progress<Visitor> progress(visitor, pm.number_of_collapses());
   if(schedule == Tightening_schedule::UNSTRAIGHTENED)
-    carry_seed_curves(pm, seeds, carrying_parameters(np), std::back_inserter(all.refined), progress);
+    carry_seed_curves<ConcurrencyTag>(pm, seeds, carrying_parameters(np), std::back_inserter(all.refined), progress);
   else
     refine_seed_curves(pm, seeds, schedule, std::back_inserter(all.refined), progress);
   visitor.on_stage_end(Detection_stage::REFINEMENT);
