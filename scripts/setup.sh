@@ -16,6 +16,7 @@ packages=(
   libgtest-dev
   libmpfr-dev
   libopenmesh-dev
+  libtbb-dev
   nlohmann-json3-dev
   python3
   python3-numpy
