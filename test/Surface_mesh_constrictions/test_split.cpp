@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_split {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using parts_check::expect_parts;
@@ -278,4 +278,4 @@ void expect_parts_of_file(const std::string& name, std::size_t number_of_parts)
 TEST(Split_real_meshes, Cactus) { expect_parts_of_file("cactus.off", 4); }
 TEST(Split_real_meshes, Eight) { expect_parts_of_file("eight.off", 2); }
 
-} // namespace
+} // namespace test_split
