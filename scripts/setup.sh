@@ -16,10 +16,13 @@ packages=(
   libgtest-dev
   libmpfr-dev
   libopenmesh-dev
+  munge
   nlohmann-json3-dev
+  parallel
   python3
   python3-numpy
   python3-scipy
+  slurm-wlm
 )
 
 is_installed() {
