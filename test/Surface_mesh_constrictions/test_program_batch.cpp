@@ -13,6 +13,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -84,6 +85,12 @@ protected:
   }
 
   std::map<std::string, json> lines(const std::string& file = "out/results.jsonl") const { return lines_of(content(file)); }
+
+  // Whether the table at the end has a row that begins with a number after these words.
+  static bool has_row(const std::string& table, const std::string& words, int number)
+  {
+    return std::regex_search(table, std::regex("(^|\n)" + words + " +" + std::to_string(number) + "(\n| )"));
+  }
 
   // Meshes of a line each, the second of which waits until somebody writes into a pipe.
   void make_waiting_list()
@@ -199,9 +206,11 @@ TEST_F(Batch, each_mesh_of_a_folder_has_a_line)
     EXPECT_EQ("constrictions: " + failed.at("error").get<std::string>() + '\n',
               run("detect '" + std::string(file) + "'").err);
   }
-  for(const char* part : {"meshes                  5\n", "ok                      2", "failed                  3\n",
-                          "  input                 3\n", "1 constriction, 1 certified", "the slowest"})
-    EXPECT_NE(r.out.find(part), std::string::npos) << part << " in:\n" << r.out;
+  EXPECT_TRUE(has_row(r.out, "meshes", 5)) << r.out;
+  EXPECT_TRUE(has_row(r.out, "ok", 2)) << r.out;
+  EXPECT_TRUE(has_row(r.out, "failed", 3)) << r.out;
+  EXPECT_TRUE(has_row(r.out, "  input", 3)) << r.out;
+  EXPECT_NE(r.out.find("1 constriction, 1 certified"), std::string::npos) << r.out;
 }
 
 TEST_F(Batch, lines_do_not_depend_on_the_order)
@@ -240,7 +249,9 @@ TEST_F(Batch, names_in_a_list)
     }
     files.insert(file);
     if(file == "missing.off")
+    {
       EXPECT_EQ(j.at("error"), "missing.off: no such file");
+    }
   }
   EXPECT_EQ(files, (std::set<std::string>{awkward, not_utf8, also_not_utf8, "a\nb.off", "missing.off", "meshes"}));
   EXPECT_EQ(kinds, (std::multiset<std::string>{"ok", "ok", "ok", "ok", "input", "input"}));
@@ -276,7 +287,7 @@ TEST_F(Batch, limit_of_time)
   make_waiting_list();
   // and one that computes for long
   Cubes large;
-  large.add_box({0, 0, 0}, {100, 100, 100});
+  large.add_box({0, 0, 0}, {300, 300, 1});
   write("large.off", large.off());
   const Result r = run("batch list.txt large.off -o out -j 4 --time-limit 0.5 --all");
   EXPECT_EQ(r.exit_code, 0);
@@ -288,7 +299,7 @@ TEST_F(Batch, limit_of_time)
     EXPECT_EQ(late.at("kind"), "time") << late;
     EXPECT_EQ(late.at("error"), file + std::string(": not finished within 0.5 seconds"));
   }
-  EXPECT_NE(r.out.find("  time                  2\n"), std::string::npos) << r.out;
+  EXPECT_TRUE(has_row(r.out, "  time", 2)) << r.out;
 }
 
 TEST_F(Batch, limit_of_memory)
@@ -297,7 +308,7 @@ TEST_F(Batch, limit_of_memory)
   GTEST_SKIP() << "AddressSanitizer needs more memory than the limit";
 #endif
   Cubes large;
-  large.add_box({0, 0, 0}, {100, 100, 100});
+  large.add_box({0, 0, 0}, {300, 300, 1});
   write("large.off", large.off());
   EXPECT_EQ(run("batch large.off dumbbell.off -o out --memory-limit 100MB").exit_code, 0);
   const auto found = lines();
@@ -373,8 +384,8 @@ TEST_F(Batch, half_written_line)
     write("out/results.jsonl", whole.substr(0, length));
     EXPECT_EQ(run("batch meshes -o out").exit_code, 0);
     EXPECT_EQ(lines(), expected) << length;
-    if(length >= last)
-      EXPECT_EQ(content("out/results.jsonl").substr(0, last), whole.substr(0, last));
+    const std::size_t kept = length >= last ? last : 0;
+    EXPECT_EQ(content("out/results.jsonl").substr(0, kept), whole.substr(0, kept));
   }
 }
 
@@ -385,7 +396,7 @@ TEST_F(Batch, complete_results_stay)
   const Result r = run("batch meshes -o out");
   EXPECT_EQ(r.exit_code, 0);
   EXPECT_EQ(content("out/results.jsonl"), before);
-  EXPECT_NE(r.out.find("meshes                  5\n"), std::string::npos) << r.out;
+  EXPECT_TRUE(has_row(r.out, "meshes", 5)) << r.out;
   EXPECT_EQ(run("batch meshes -o out --quiet").out, "");
 }
 
@@ -400,10 +411,10 @@ TEST_F(Batch, slices_add_up)
   }
   EXPECT_EQ(lines_of(text), lines("whole/results.jsonl"));
   // the whole finds the lines of the slices, and does what is missing
-  EXPECT_NE(run("batch meshes -o out").out.find("meshes                  5\n"), std::string::npos);
+  EXPECT_TRUE(has_row(run("batch meshes -o out").out, "meshes", 5));
   EXPECT_EQ(content("out/results.jsonl"), "");
   fs::remove(folder / "out/results.2-of-3.jsonl");
-  EXPECT_NE(run("batch meshes -o out").out.find("meshes                  5\n"), std::string::npos);
+  EXPECT_TRUE(has_row(run("batch meshes -o out").out, "meshes", 5));
   EXPECT_EQ(lines().size(), 2u);
 }
 
@@ -440,8 +451,9 @@ TEST_F(Batch, unusable_outputs)
   EXPECT_EQ(run("batch meshes -o other").err,
             "constrictions: other/results.jsonl: line 1 is not in the format constrictions-batch/1\n");
   EXPECT_EQ(content("other/results.jsonl"), "{\"file\": \"a\"}\n");
-  if(fs::exists("/dev/full"))
-    EXPECT_EQ(run("batch meshes", "/dev/full").exit_code, 3);
+  if(!fs::exists("/dev/full"))
+    return;
+  EXPECT_EQ(run("batch meshes", "/dev/full").exit_code, 3);
 }
 
 TEST_F(Batch, wrong_usage)

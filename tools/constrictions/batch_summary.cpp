@@ -57,7 +57,7 @@ std::string Batch_summary::as_table() const
   for(const auto& [kind, number] : m_failed)
     out << std::left << setw(16) << "  " + kind << std::right << setw(10) << number << '\n';
   out << std::fixed << std::setprecision(2);
-  out << std::left << setw(16) << "seconds" << std::right << setw(10) << m_seconds << '\n';
+  out << std::left << setw(16) << "seconds in all" << std::right << setw(10) << m_seconds << '\n';
   if(!m_slowest.empty())
     out << "the slowest\n";
   for(const Timed_file& f : m_slowest)
