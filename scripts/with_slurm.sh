@@ -25,7 +25,16 @@ done
 
 work=$(mktemp -d "${TMPDIR:-/tmp}/slurm_XXXXXX")
 daemons=()
+is_ready=false
 stop() {
+  if "$is_ready"; then
+    # jobs that the command has left behind
+    scancel --quiet --user="$user" || true
+    for _ in {1..50}; do
+      [ -n "$(squeue --noheader 2> /dev/null)" ] || break
+      sleep 0.1
+    done
+  fi
   for process in "${daemons[@]}"; do
     kill "$process" 2> /dev/null || true
     wait "$process" 2> /dev/null || true
@@ -108,5 +117,6 @@ wait_for slurmctld scontrol ping
 start slurmd slurmd -D
 is_idle() { [ "$(sinfo --noheader --format=%T)" = idle ]; }
 wait_for slurmd is_idle
+is_ready=true
 
 "$@"
