@@ -21,6 +21,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <numeric>
 #include <optional>
 #include <system_error>
 #include <unordered_set>
@@ -113,64 +114,69 @@ std::uint64_t weight(const std::string& mesh)
   return 10000 + (error ? 0 : size);
 }
 
+// Adds up the lines of the meshes that are in the results, and takes these out.
+void pass_over_done(const Batch_results& results, std::vector<std::string>& meshes, Batch_summary& summary)
+{
+  const std::unordered_set<std::string> wanted(meshes.begin(), meshes.end());
+  std::unordered_set<std::string> done;
+  results.for_each_line([&](const Batch_line& line) {
+    const std::string file = file_of(line);
+    if(wanted.count(file) != 0 && done.insert(file).second)
+      summary.add(line);
+  });
+  meshes.erase(std::remove_if(meshes.begin(), meshes.end(), [&](const std::string& m) { return done.count(m) != 0; }),
+               meshes.end());
+}
+
+// Until a signal is caught.
+void go_through(const std::vector<std::string>& meshes, const Options& options, const Detect& detect,
+                std::optional<Batch_results>& results, Batch_summary& summary)
+{
+  std::vector<std::uint64_t> weights;
+  for(const std::string& mesh : meshes)
+    weights.push_back(weight(mesh));
+  Batch_progress progress(!options.quiet && isatty(STDERR_FILENO) == 1, meshes.size(),
+                          std::accumulate(weights.begin(), weights.end(), std::uint64_t(0)));
+  Process_pool pool(options.batch.limits);
+  std::size_t next = 0;
+  while(caught_signal == 0 && (next < meshes.size() || !pool.is_empty()))
+  {
+    for(; next < meshes.size() && !pool.is_full(); ++next)
+      pool.start(next, [&] {
+        results.reset(); // the file must not stay locked by a child that outlives this process for a moment
+        return detect_as_line(meshes[next], detect);
+      });
+    progress.show();
+    for(const Task_end& end : pool.wait(std::chrono::milliseconds(500)))
+    {
+      const Batch_line line = batch_line(meshes[end.task], end, options.batch.limits);
+      if(results)
+        results->append(line);
+      else
+        write_to_standard_output(as_text(line));
+      summary.add(line);
+      progress.add(weights[end.task], line["status"] != "ok");
+    }
+  }
+  progress.show();
+}
+
 } // namespace
 
 void run_batch(const Options& options, const Detect& detect)
 {
   std::vector<std::string> meshes = batch_meshes(options.batch.inputs, options.batch.slice);
-
   std::optional<Batch_results> results;
   Batch_summary summary;
-  std::unordered_set<std::string> done;
   if(!options.folder.empty())
   {
     create_folder(options.folder);
     keep_settings(options.folder, settings(options));
     results.emplace(options.folder, options.batch.slice);
-    const std::unordered_set<std::string> wanted(meshes.begin(), meshes.end());
-    results->for_each_line([&](const Batch_line& line) {
-      const std::string file = file_of(line);
-      if(wanted.count(file) != 0 && done.insert(file).second)
-        summary.add(line);
-    });
+    pass_over_done(*results, meshes, summary);
   }
-  meshes.erase(std::remove_if(meshes.begin(), meshes.end(), [&](const std::string& m) { return done.count(m) != 0; }),
-               meshes.end());
-
-  std::vector<std::uint64_t> weights;
-  std::uint64_t total_weight = 0;
-  for(const std::string& mesh : meshes)
-  {
-    weights.push_back(weight(mesh));
-    total_weight += weights.back();
-  }
-
   catch_signals();
-  {
-    Batch_progress progress(!options.quiet && isatty(STDERR_FILENO) == 1, meshes.size(), total_weight);
-    Process_pool pool(options.batch.limits);
-    std::size_t next = 0;
-    while(caught_signal == 0 && (next < meshes.size() || !pool.is_empty()))
-    {
-      for(; next < meshes.size() && !pool.is_full(); ++next)
-        pool.start(next, [&] {
-          results.reset(); // the file must not stay locked by a child that outlives this process for a moment
-          return detect_as_line(meshes[next], detect);
-        });
-      progress.show();
-      for(const Task_end& end : pool.wait(std::chrono::milliseconds(500)))
-      {
-        const Batch_line line = batch_line(meshes[end.task], end, options.batch.limits);
-        if(results)
-          results->append(line);
-        else
-          write_to_standard_output(as_text(line));
-        summary.add(line);
-        progress.add(weights[end.task], line["status"] != "ok");
-      }
-    }
-    progress.show();
-  }
+  go_through(meshes, options, detect, results, summary);
   if(caught_signal != 0)
     end_by_caught_signal();
   if(results && !options.quiet)
