@@ -90,12 +90,9 @@ cat > "$work/slurm.conf" <<- EOT
 	SlurmctldPidFile=$work/slurmctld.pid
 	SlurmdPidFile=$work/slurmd.pid
 	ProctrackType=proctrack/linuxproc
-	TaskPlugin=task/none
-	JobAcctGatherType=jobacct_gather/none
 	SelectType=select/cons_tres
 	SelectTypeParameters=CR_CPU
 	SchedulerParameters=sched_interval=1,batch_sched_delay=0
-	MpiDefault=none
 	ReturnToService=2
 	NodeName=$node NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
 	PartitionName=all Nodes=ALL Default=YES State=UP

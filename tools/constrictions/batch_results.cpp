@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -17,6 +18,7 @@
 #include <regex>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 namespace constrictions {
@@ -51,6 +53,18 @@ std::vector<std::string> files_with_results(const std::string& folder)
   return result;
 }
 
+// Returns the error, or 0. A process that was just killed may take a moment to end.
+int lock(int file)
+{
+  for(int attempt = 0; flock(file, LOCK_EX | LOCK_NB) != 0; ++attempt)
+  {
+    if(errno != EWOULDBLOCK || attempt == 10)
+      return errno;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  return 0;
+}
+
 // Returns the number of bytes in lines that have an end.
 std::uintmax_t read_lines(const std::string& name, const std::function<void(const Batch_line&)>& f)
 {
@@ -82,9 +96,8 @@ Batch_results::Batch_results(const std::string& folder, const Slice& slice)
 {
   if(m_file == -1)
     throw Output_file_error(m_name, "cannot be opened: " + error_text(errno));
-  if(flock(m_file, LOCK_EX | LOCK_NB) != 0)
+  if(const int error = lock(m_file))
   {
-    const int error = errno;
     close(m_file);
     throw Output_file_error(m_name, error == EWOULDBLOCK ? "another process is writing to it"
                                                          : "cannot be locked: " + error_text(error));
