@@ -17,10 +17,13 @@ packages=(
   libmpfr-dev
   libopenmesh-dev
   libtbb-dev
+  munge
   nlohmann-json3-dev
+  parallel
   python3
   python3-numpy
   python3-scipy
+  slurm-wlm
   "$@"
 )
 

@@ -6,6 +6,7 @@
 #include "options.h"
 #include "output_file.h"
 #include "parts.h"
+#include "run_batch.h"
 #include "thread_limit.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
@@ -174,10 +175,22 @@ int certify(const Options& options)
   return 1;
 }
 
+// What `detect` finds in a mesh.
+Report detection(const Options& options, const std::string& mesh)
+{
+  Report report;
+  report.mesh_file = mesh;
+  report.mesh = read_mesh_file(mesh, report.is_turned);
+  Stage_monitor monitor(false);
+  detect(options, monitor, report);
+  return report;
+}
+
 // The exit code that belongs to the exception being handled, after its message has been shown.
 int report_failure(const Options& options)
 {
   const int unusable_input = 1, unwritable_output = 3;
+  const std::string subject = options.command == Command::BATCH ? "batch" : printable(options.mesh);
   try
   {
     throw;
@@ -193,11 +206,11 @@ int report_failure(const Options& options)
   }
   catch(const std::bad_alloc&)
   {
-    std::cerr << "constrictions: " << printable(options.mesh) << ": not enough memory" << std::endl;
+    std::cerr << "constrictions: " << subject << ": not enough memory" << std::endl;
   }
   catch(const std::exception& e)
   {
-    std::cerr << "constrictions: " << printable(options.mesh) << ": " << printable(e.what()) << std::endl;
+    std::cerr << "constrictions: " << subject << ": " << printable(e.what()) << std::endl;
   }
   return unusable_input;
 }
@@ -216,6 +229,14 @@ int main(int argc, char** argv)
     const constrictions::Thread_limit thread_limit(options.threads);
     if(options.command == constrictions::Command::CERTIFY)
       return constrictions::certify(options);
+    if(options.command == constrictions::Command::BATCH)
+    {
+      constrictions::run_batch(options, [&options](const std::string& mesh) {
+        const constrictions::Thread_limit one_thread(1); // several meshes are gone through at a time
+        return constrictions::detection(options, mesh);
+      });
+      return 0;
+    }
     constrictions::run(options);
     return 0;
   }

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -12,7 +13,9 @@
 #include <optional>
 #include <regex>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 namespace constrictions {
@@ -39,6 +42,8 @@ const char* const examples =
     "      cuts the surface at its necks; writes parts/parts.ply, parts/parts.json and parts/part_0.ply ...\n"
     "  constrictions certify bone.ply --curves result/constrictions.json\n"
     "      proves with exact arithmetic that the curves are constrictions, or says what is wrong with them\n"
+    "  constrictions batch meshes -o results -j 8 --time-limit 60\n"
+    "      goes through the meshes of a folder, 8 at a time; writes a line of JSON for each into results/results.jsonl\n"
     "\n"
     "Exit codes: 0 done (there may be no constrictions), 1 the input is not a usable mesh, or a curve is not\n"
     "certified, 2 wrong usage, 3 an output could not be written.\n";
@@ -223,6 +228,73 @@ bool is_part_file(const std::string& name, const std::string& folder)
          std::regex_match(place.filename().string(), std::regex("parts\\.(ply|json)|part_[0-9]+\\.ply"));
 }
 
+// Two whole numbers with a slash between them, 1 <= I <= N.
+std::optional<Slice> parse_slice(std::string_view text)
+{
+  std::size_t index = 0, count = 0;
+  const char* const end = text.data() + text.size();
+  const std::from_chars_result i = std::from_chars(text.data(), end, index);
+  if(i.ec != std::errc() || i.ptr == end || *i.ptr != '/')
+    return std::nullopt;
+  const std::from_chars_result n = std::from_chars(i.ptr + 1, end, count);
+  if(n.ec != std::errc() || n.ptr != end || index < 1 || index > count)
+    return std::nullopt;
+  return Slice{index - 1, count};
+}
+
+void add_batch_options(CLI::App& command, Options& options)
+{
+  const CLI::Validator is_slice(
+      [](const std::string& text) {
+        return parse_slice(text) ? "" : "give the number of a slice and the number of slices, as in 2/10";
+      },
+      "");
+  const CLI::Validator positive(
+      [](const std::string& text) {
+        double value = 0;
+        return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : "give a number that is greater than 0";
+      },
+      "");
+  Batch& batch = options.batch;
+  batch.limits.processes = (std::max)(1u, std::thread::hardware_concurrency());
+  batch.limits.seconds = 3600;
+
+  command
+      .add_option("INPUT", batch.inputs,
+                  "text file with the name of a mesh on each line (- reads it from the standard input), folder whose "
+                  "OFF, OBJ, PLY and STL files are taken, or mesh")
+      ->type_name("LIST|DIR|MESH ...")
+      ->required()
+      ->check(not_empty);
+  command.add_option("-o", options.folder,
+                     "write the lines into DIR/results.jsonl; meshes that have a line there are passed over")
+      ->type_name("DIR")
+      ->check(not_empty);
+  command.add_option("-j", batch.limits.processes, "go through N meshes at a time; one for each processor if not given")
+      ->type_name("N")
+      ->check(CLI::Range(1, 500).description(""));
+  command.add_option("--time-limit", batch.limits.seconds, "give up a mesh after this time; 3600 if not given")
+      ->type_name("SECONDS")
+      ->check(positive);
+  command
+      .add_option("--memory-limit", batch.limits.bytes,
+                  "give up a mesh that needs more memory (address space) than this, as in 500MB or 2GB")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(true).description(""))
+      ->check(positive);
+  command
+      .add_option_function<std::string>(
+          "--slice", [&batch](const std::string& text) { batch.slice = *parse_slice(text); },
+          "take every N-th mesh only, from the I-th on, and write DIR/results.I-of-N.jsonl: for the tasks of a job array")
+      ->type_name("I/N")
+      ->check(is_slice);
+  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
+                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+  command.add_flag("--quiet", options.quiet, "show no progress, and print no table");
+  command.footer("\nEach mesh is gone through in a process of its own, so a failure is no more than a line with its "
+                 "reason.\nWithout -o the lines are printed. To have a mesh done again, delete its line.\n");
+}
+
 // Files that would overwrite each other or the input are a mistake on the command line.
 void check_files(const Options& options)
 {
@@ -313,12 +385,19 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   add_threads(segment, options);
   add_seeds(segment, options.search);
 
+  CLI::App& batch = *app.add_subcommand("batch", "find the constrictions of many meshes");
+  add_batch_options(batch, options);
+  add_selection_options(batch, options.selection);
+  add_policy(batch, policy);
+  add_seeds(batch, options.search);
+
   try
   {
     app.parse(argc, argv);
     options.command = tighten.parsed()   ? Command::TIGHTEN
                       : certify.parsed() ? Command::CERTIFY
                       : segment.parsed() ? Command::SEGMENT
+                      : batch.parsed()   ? Command::BATCH
                                          : Command::DETECT;
     options.policy = policy == "gh"   ? Policy::GARLAND_HECKBERT
                      : policy == "lt" ? Policy::LINDSTROM_TURK
@@ -328,7 +407,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
     if(!side.empty())
       options.segmentation.side = side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
                                                    : CGAL::Surface_mesh_constrictions::Side::COMPLEMENT;
-    check_files(options);
+    if(options.command != Command::BATCH) // whose folder has files of other names
+      check_files(options);
   }
   catch(const CLI::ParseError& e)
   {
