@@ -6,10 +6,13 @@
 #include "options.h"
 #include "output_file.h"
 #include "parts.h"
+#include "view_page.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 
 #include <unistd.h>
+
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +21,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace constrictions {
@@ -41,6 +45,8 @@ void check_outputs(const Options& options)
   if(options.command == Command::SEGMENT)
     for(const char* name : {"parts.json", "parts.ply"})
       check_writable(options.file_in_folder(name));
+  if(options.command == Command::VIEW)
+    check_writable(options.page);
   for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
     for(const std::string& file : files)
       check_writable(file);
@@ -62,18 +68,18 @@ void write_outputs(const Options& options, const Report& report)
     write_to_standard_output(report_as_table(report));
 }
 
-void detect(const Options& options, Stage_monitor& monitor, Report& report)
+void detect(const Options& options, const Selection& selection, Stage_monitor& monitor, Report& report, Levels* levels)
 {
   switch(options.policy)
   {
     case Policy::GARLAND_HECKBERT:
-      report.constrictions = detect_with_garland_heckbert(report.mesh, options.selection, options.search, monitor);
+      report.constrictions = detect_with_garland_heckbert(report.mesh, selection, options.search, monitor, levels);
       break;
     case Policy::LINDSTROM_TURK:
-      report.constrictions = detect_with_lindstrom_turk(report.mesh, options.selection, options.search, monitor);
+      report.constrictions = detect_with_lindstrom_turk(report.mesh, selection, options.search, monitor, levels);
       break;
     case Policy::EDGE_LENGTH:
-      report.constrictions = detect_with_edge_length(report.mesh, options.selection, options.search, monitor);
+      report.constrictions = detect_with_edge_length(report.mesh, selection, options.search, monitor, levels);
       break;
   }
   report.statistics = monitor.statistics;
@@ -106,6 +112,28 @@ void write_parts(const Options& options, const Report& report, const Parts& part
     write_to_standard_output(parts_as_table(parts));
 }
 
+double minimum_prominence(const Options& options)
+{
+  return options.selection.all
+             ? 0
+             : options.selection.minimum_prominence.value_or(CGAL::Surface_mesh_constrictions::default_minimum_prominence);
+}
+
+// The curves of a page: the weaker ones of its slider, too.
+Selection selection_for_page(const Options& options)
+{
+  Selection result = options.selection;
+  result.minimum_prominence = (std::min)(minimum_prominence(options), least_prominence_in_page);
+  return result;
+}
+
+void write_page(const Options& options, const Report& report, Levels& levels)
+{
+  const Parts parts = segment_mesh(report.mesh, report.constrictions, options.segmentation);
+  const Playback playback = record_playback(report.mesh, report.constrictions, std::move(levels.value()));
+  write_files({{options.page, view_page(report, parts, playback, minimum_prominence(options))}});
+}
+
 void run(const Options& options)
 {
   const auto begin = std::chrono::steady_clock::now();
@@ -118,18 +146,26 @@ void run(const Options& options)
     loops = read_loops_file(options.loops, report.mesh);
   check_outputs(options);
 
+  Levels levels;
   {
     Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
     if(options.command == Command::TIGHTEN)
       tighten(options, loops, monitor, report);
+    else if(options.command == Command::VIEW)
+      detect(options, selection_for_page(options), monitor, report, &levels);
     else
-      detect(options, monitor, report);
+      detect(options, options.selection, monitor, report, nullptr);
     report.seconds.simplify = monitor.seconds(Detection_stage::SIMPLIFICATION);
     report.seconds.seeds = monitor.seconds(Detection_stage::SEEDS);
     report.seconds.refine = monitor.seconds(Detection_stage::REFINEMENT);
     report.seconds.tighten = monitor.seconds(Detection_stage::TIGHTENING);
     report.seconds.certify = monitor.seconds(Detection_stage::CERTIFICATION);
     report.seconds.select = monitor.seconds(Detection_stage::SELECTION);
+  }
+  if(options.command == Command::VIEW)
+  {
+    write_page(options, report, levels);
+    return;
   }
   if(options.command == Command::SEGMENT)
   {
@@ -210,6 +246,11 @@ int main(int argc, char** argv)
   constrictions::Options options;
   if(const std::optional<int> exit_code = constrictions::parse_options(argc, argv, options))
     return *exit_code;
+  if(options.command == constrictions::Command::VIEW && constrictions::page_template().empty())
+  {
+    std::cerr << "constrictions: view: this program was built without the viewer, which needs npm" << std::endl;
+    return 2;
+  }
   try
   {
     if(options.command == constrictions::Command::CERTIFY)

@@ -37,6 +37,8 @@ const char* const examples =
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
     "  constrictions segment bone.ply -o parts --side object\n"
     "      cuts the surface at its necks; writes parts/parts.ply, parts/parts.json and parts/part_0.ply ...\n"
+    "  constrictions view bone.ply -o bone.html\n"
+    "      writes a page that shows the surface with its constrictions and parts; open it in a browser\n"
     "  constrictions certify bone.ply --curves result/constrictions.json\n"
     "      proves with exact arithmetic that the curves are constrictions, or says what is wrong with them\n"
     "\n"
@@ -145,6 +147,22 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
   command.footer("\nPrints a table of the parts. Of two curves that cross the more prominent one cuts.\n");
 }
 
+void add_view_options(CLI::App& command, Options& options)
+{
+  add_mesh(command, options);
+  command
+      .add_option("-o", options.page,
+                  "write a page that shows the mesh, its parts and constrictions, and how these were found; it needs no "
+                  "other file and no network")
+      ->type_name("FILE.html")
+      ->required()
+      ->check(not_empty);
+  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
+                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+  command.add_flag("--quiet", options.quiet, "show no progress bar");
+  command.footer("\nThe page first shows what detect reports. A slider shows weaker curves, down to a prominence of 0.01.\n");
+}
+
 void add_selection_options(CLI::App& command, Selection& selection)
 {
   const CLI::Validator not_negative(
@@ -223,6 +241,8 @@ void check_files(const Options& options)
   const std::size_t inputs = names.size();
   for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
     names.insert(names.end(), files.begin(), files.end());
+  if(!options.page.empty())
+    names.push_back(options.page);
 
   if(options.command == Command::SEGMENT && is_part_file(options.mesh, options.folder))
     throw CLI::ValidationError(options.mesh, "the output could overwrite the input");
@@ -301,12 +321,19 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   add_policy(segment, policy);
   add_seeds(segment, options.search);
 
+  CLI::App& view = *app.add_subcommand("view", "write a page that shows the constrictions in a browser");
+  add_view_options(view, options);
+  add_selection_options(view, options.selection);
+  add_policy(view, policy);
+  add_seeds(view, options.search);
+
   try
   {
     app.parse(argc, argv);
     options.command = tighten.parsed()   ? Command::TIGHTEN
                       : certify.parsed() ? Command::CERTIFY
                       : segment.parsed() ? Command::SEGMENT
+                      : view.parsed()    ? Command::VIEW
                                          : Command::DETECT;
     options.policy = policy == "gh"   ? Policy::GARLAND_HECKBERT
                      : policy == "lt" ? Policy::LINDSTROM_TURK

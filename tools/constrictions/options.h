@@ -13,7 +13,7 @@
 
 namespace constrictions {
 
-enum class Command { DETECT, TIGHTEN, CERTIFY, SEGMENT };
+enum class Command { DETECT, TIGHTEN, CERTIFY, SEGMENT, VIEW };
 
 enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
 
@@ -52,6 +52,7 @@ struct Options
   std::string folder;
   std::string json; ///< "-" is the standard output
   std::string polylines;
+  std::string page;
   Policy policy = Policy::GARLAND_HECKBERT;
   Search search;
   Selection selection;
