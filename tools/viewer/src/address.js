@@ -6,6 +6,7 @@
 // zoom          2 is twice as near
 // select        the number of a constriction in the list
 // prominence    the least that is shown
+// side          sides, separated by commas: no others are shown
 // frame         a step of the playback, counted from 0
 // theme         light or dark
 // parts, edges  1 or 0
@@ -20,7 +21,7 @@ const vector = text => {
 const flag = text => text === '1' ? true : text === '0' ? false : undefined;
 const theme = text => ['light', 'dark'].includes(text) ? text : undefined;
 
-const readers = {view: vector, up: vector, zoom: number, select: number, prominence: number, frame: number, theme,
+const readers = {view: vector, up: vector, zoom: number, select: number, prominence: number, side: text => text.split(','), frame: number, theme,
   parts: flag, edges: flag, panel: flag, width: number};
 
 // What cannot be read is left out.

@@ -21,9 +21,7 @@ export class ClosedLine {
     this.ghost = line(false, 1); // shines through the surface
     this.ghost.material.opacity = 0.3;
     this.casing = line(true, 2);
-    this.casing.material.polygonOffset = true; // behind the line, in front of the surface
-    this.casing.material.polygonOffsetFactor = 0.5;
-    this.casing.material.polygonOffsetUnits = 2;
+    this.casing.material.depthWrite = false; // all lines are drawn over it
     this.line = line(true, 3);
     this.group = new Group();
     this.group.add(this.ghost, this.casing, this.line);

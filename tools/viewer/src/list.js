@@ -41,6 +41,46 @@ function row(curve, c, greatest) {
   return item;
 }
 
+// Buttons that show and hide the constrictions of each side, of those sides that occur.
+export class SideFilter {
+  constructor(curves, onChange) {
+    this.hidden = new Set();
+    this.buttons = new Map();
+    this.onChange = onChange;
+    for (const [side, {colour, text}] of Object.entries(sides)) {
+      const count = curves.filter(c => c.side === side).length;
+      if (count === 0)
+        continue;
+      const button = element('button');
+      button.type = 'button';
+      button.title = text;
+      button.style.setProperty('--chip', colour);
+      button.append(element('span', 'chip'), element('span', '', `${side} ${count}`));
+      button.addEventListener('click', () => this.set(side, this.hidden.has(side)));
+      this.buttons.set(side, button);
+    }
+    document.getElementById('sides').append(...this.buttons.values());
+    this.show();
+  }
+
+  set(side, isShown) {
+    this.hidden[isShown ? 'delete' : 'add'](side);
+    this.show();
+    this.onChange();
+  }
+
+  // Shows no other sides than those.
+  only(sidesShown) {
+    this.hidden = new Set([...this.buttons.keys()].filter(side => !sidesShown.includes(side)));
+    this.show();
+  }
+
+  show() {
+    for (const [side, button] of this.buttons)
+      button.setAttribute('aria-pressed', String(!this.hidden.has(side)));
+  }
+}
+
 export class List {
   constructor(data, onSelect) {
     this.data = data;

@@ -2,7 +2,7 @@
 // Puts the page together: what is shown follows from `state`.
 import {Vector3} from 'three';
 import {Curves} from './curves.js';
-import {List, counted} from './list.js';
+import {List, SideFilter, counted} from './list.js';
 import {Playback} from './playback.js';
 import {Stage} from './stage.js';
 import {Surface} from './surface.js';
@@ -19,17 +19,13 @@ import {viewOfCurve} from './view_of_curve.js';
 const data = readData(document);
 const {arrays, curves} = data;
 
-const home = {direction: new Vector3(0.4, 0.25, 1), up: new Vector3(0, 1, 0)};
-const state = {selected: -1, showsParts: true, showsEdges: null, width: 3};
-const isShown = c => curves[c].prominence >= threshold.value;
+const state = {selected: -1, showsParts: true, showsEdges: null, width: null};
+const isShown = c => curves[c].prominence >= threshold.value && !filter.hidden.has(curves[c].side);
 
 const list = new List(data, select);
 const theme = new Theme(refresh);
-const threshold = new Threshold(curves, data.prominence, () => {
-  if (state.selected >= 0 && !isShown(state.selected))
-    state.selected = -1;
-  refresh();
-});
+const threshold = new Threshold(curves, data.prominence, choose);
+const filter = new SideFilter(curves, choose);
 const playback = new Playback(data, showFrame);
 const surface = new Surface();
 const drawn = new Curves(data, data.is_simplified ? 0.003 : 0.0015);
@@ -46,12 +42,36 @@ try {
 const finest = data.is_simplified
   ? {points: arrays.levels_points, faces: arrays.levels_faces, parts: arrays.levels_parts}
   : {points: arrays.surface_points, faces: arrays.surface_faces, parts: arrays.surface_parts};
+const extent = greatestNorm(finest.points);
+const home = firstView(finest.points);
 const sizes = new Array(data.number_of_parts).fill(0);
 for (const p of finest.parts)
   ++sizes[p];
 
 if (data.is_simplified)
   list.note(`Drawn with ${counted(finest.faces.length / 3, 'face')}, simplified. The curves are exact, on the surface of the file.`);
+
+// A little from above and from the right; what is flat is seen from its broad side.
+function firstView(points) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  points.forEach((x, i) => {
+    low[i % 3] = Math.min(low[i % 3], x);
+    high[i % 3] = Math.max(high[i % 3], x);
+  });
+  const [x, y, z] = high.map((h, i) => h - low[i]);
+  if (y < 0.8 * Math.min(x, z))
+    return {direction: new Vector3(0.25, 1, 0.5), up: new Vector3(0, 0, -1)};
+  if (x < 0.8 * Math.min(y, z) || z > 1.2 * Math.max(x, y))
+    return {direction: new Vector3(1, 0.25, 0.4), up: new Vector3(0, 1, 0)};
+  return {direction: new Vector3(0.4, 0.25, 1), up: new Vector3(0, 1, 0)};
+}
+
+function greatestNorm(points) {
+  let greatest = 0;
+  for (let i = 0; i < points.length; i += 3)
+    greatest = Math.max(greatest, Math.hypot(points[i], points[i + 1], points[i + 2]));
+  return greatest;
+}
 
 // Of how many that are not shown a curve is the representative.
 function represented() {
@@ -66,6 +86,13 @@ function represented() {
       ++result[r];
   });
   return result;
+}
+
+// A curve that is hidden is not selected.
+function choose() {
+  if (state.selected >= 0 && !isShown(state.selected))
+    state.selected = -1;
+  refresh();
 }
 
 let surfaceShown = null; // what surface.set() was last called for
@@ -93,8 +120,9 @@ function refresh() {
     surface.colour(() => colours.surface);
   surface.showEdges(edgesAreShown(), colours.edges);
   drawn.group.visible = !playback.isOn || playback.isAtEnd;
-  drawn.update(isShown, state.selected, colours, state.width);
-  playback.update(colours, state.width, state.selected);
+  const width = state.width ?? Math.min(3, Math.max(1.8, stage.canvas.clientHeight / 230));
+  drawn.update(isShown, state.selected, colours, width);
+  playback.update(colours, width, state.selected);
   stage.invalidate();
 }
 
@@ -113,7 +141,7 @@ function select(c) {
   list.reveal(c);
   const {camera, controls} = stage;
   const view = viewOfCurve(drawn.points[c], drawn.normals[c], surface, camera, controls.target, home.up);
-  stage.look({...view, radius: Math.min(1, Math.max(2.2 * view.radius, 0.12)), up: camera.up}, 800);
+  stage.look({...view, radius: Math.min(extent, Math.max(2.8 * view.radius, 0.12)), up: camera.up}, 800);
 }
 
 function showFrame() {
@@ -149,7 +177,7 @@ const actions = {
   parts: () => { state.showsParts = !state.showsParts; refresh(); },
   edges: () => { state.showsEdges = !edgesAreShown(); refresh(); },
   theme: () => theme.toggle(),
-  whole: () => stage?.look(home, 600),
+  whole: () => stage?.look({...home, radius: extent}, 600),
   turn: (right, up) => stage?.turn(right, up),
   zoom: factor => stage?.zoom(factor),
 };
@@ -187,12 +215,17 @@ function follow() {
     threshold.set(asked.prominence);
   if (asked.theme)
     theme.chosen = asked.theme;
+  if (asked.side)
+    filter.only(asked.side);
+  if (stage) {
+    stage.hiddenBelow = asked.panel === false ? 0 : document.getElementById('player').offsetHeight + 16;
+    stage.resize();
+    stage.look({...home, radius: extent / (asked.zoom ?? 1)}, 0);
+  }
   theme.apply();
-  stage?.resize();
-  stage?.look({...home, radius: 1 / (asked.zoom ?? 1)}, 0);
   if (asked.frame !== undefined)
     playback.show(asked.frame);
-  if (asked.select !== undefined && curves[asked.select - 1])
+  if (curves[asked.select - 1] && isShown(asked.select - 1))
     select(asked.select - 1);
 }
 

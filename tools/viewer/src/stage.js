@@ -7,7 +7,7 @@ const fieldOfView = 30;
 
 // How far from a ball of this radius the camera sees it whole.
 const distanceFor = (radius, aspect) =>
-  radius / Math.sin(Math.min(1, aspect) * fieldOfView / 2 * Math.PI / 180) * 1.02;
+  radius / Math.sin(Math.min(1, aspect) * fieldOfView / 2 * Math.PI / 180) * 1.04;
 
 export class Stage {
   constructor(canvas) {
@@ -29,6 +29,7 @@ export class Stage {
 
     this.light = new DirectionalLight(0xffffff, 2.2);
     this.scene.add(new HemisphereLight(0xffffff, 0x8d8a86, 1.5), this.light, this.light.target);
+    this.hiddenBelow = 0; // what is in front of the canvas at its lower end, in pixels
     this.isDirty = true;
     this.waiting = [];
     new ResizeObserver(() => this.resize()).observe(canvas);
@@ -49,7 +50,7 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.camera.setViewOffset(width, height, 0, this.hiddenBelow / 2, width, height);
     this.controls.handleResize();
     this.invalidate();
   }
@@ -92,7 +93,7 @@ export class Stage {
       target: target.clone(),
       direction: direction.clone().normalize(),
       up: up.clone(),
-      distance: distanceFor(radius, this.aspect),
+      distance: distanceFor(radius, this.aspect) * this.canvas.clientHeight / (this.canvas.clientHeight - this.hiddenBelow),
     };
     if (Math.abs(end.up.clone().normalize().dot(end.direction)) > 0.99)
       end.up.set(end.direction.z, end.direction.x, end.direction.y);
@@ -105,6 +106,8 @@ export class Stage {
         distance: offset.length()},
       end, milliseconds, start: null,
     };
+    if (milliseconds === 0)
+      this.fly(0);
     this.invalidate();
   }
 
