@@ -212,21 +212,27 @@ Level_set levels_to_show(const Progressive_mesh& pm, const std::vector<Followed_
   return result;
 }
 
-// Notes the curves on the levels that are to be shown. Of curves that have met one is noted.
+// Notes the curves on the levels that are to be shown. Of curves that have met one is noted, but each seed where it
+// appears.
 class Frame_recorder
   : public SMC::Refinement_visitor_base
 {
 public:
   Frame_recorder(const Progressive_mesh& pm, const Unit& unit, const std::vector<Followed_seed>& followed,
                  const Level_set& levels)
-    : m_pm(pm), m_unit(unit), m_followed(followed), m_levels(levels), m_curves(followed.size())
+    : m_pm(pm), m_unit(unit), m_followed(followed), m_levels(levels), m_curves(followed.size()),
+      m_appearing(followed.size())
   {}
 
   template <class Curve>
-  void on_curve(std::size_t, const std::vector<std::size_t>& seeds, const Curve& curve)
+  void on_curve(std::size_t level, const std::vector<std::size_t>& seeds, const Curve& curve)
   {
     for(std::size_t s : seeds)
+    {
       m_curves[s] = curve;
+      if(m_followed[s].seed.level == level)
+        m_appearing[s] = curve(); // it may meet another one at once
+    }
   }
 
   void on_level(std::size_t level)
@@ -237,10 +243,10 @@ public:
     for(std::size_t s = 0; s < m_curves.size(); ++s)
       if(m_curves[s])
       {
-        const SMC::Closed_curve curve = m_curves[s]();
+        const bool is_seed = m_followed[s].seed.level == level;
+        const SMC::Closed_curve curve = is_seed ? m_appearing[s] : m_curves[s]();
         if(!curve.nodes.empty())
-          frame.curves.push_back(
-              {m_followed[s].constriction, m_followed[s].seed.level == level, points_of(m_pm, m_unit, curve)});
+          frame.curves.push_back({m_followed[s].constriction, is_seed, points_of(m_pm, m_unit, curve)});
       }
     frames.push_back(std::move(frame));
   }
@@ -253,6 +259,7 @@ private:
   const std::vector<Followed_seed>& m_followed;
   const Level_set& m_levels;
   std::vector<std::function<SMC::Closed_curve()> > m_curves; // by seed, as it is now; none before it appears
+  std::vector<SMC::Closed_curve> m_appearing;                // by seed, as it is on its level
 };
 
 } // namespace
