@@ -345,7 +345,7 @@ describe('the viewer', () => {
     assert.ok(faces > 90000 && faces <= 100000);
     assert.equal(await tab.locator('#note').textContent(),
       `Drawn with ${faces.toLocaleString('en')} faces, simplified. The curves are exact, on the surface of the file.`);
-    await tab.locator('#level').fill(await tab.locator('#level').evaluate(input => input.max - 1));
+    await tab.locator('#level').fill(await tab.locator('#level').evaluate(input => String(input.max - 1)));
     assert.match(await tab.locator('#status').textContent(), /Level 0 .*52,802 vertices.*drawn on a coarser level/);
     await tab.close();
   });
