@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/from_base64.h"
 #include "include/program_fixture.h"
 
+#include "base64.h"
 #include "data_block.h"
 
 #include <gtest/gtest.h>
@@ -26,27 +28,6 @@ using program_fixture::Result;
 
 const std::string cactus = "'" CONSTRICTIONS_MESH_DIR "/cactus.off'";
 const std::string eight = "'" CONSTRICTIONS_MESH_DIR "/eight.off'";
-
-std::string from_base64(const std::string& text)
-{
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  std::uint32_t bits = 0;
-  int number_of_bits = 0;
-  for(char c : text)
-  {
-    if(c == '=')
-      break;
-    bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
-    number_of_bits += 6;
-    if(number_of_bits >= 8)
-    {
-      number_of_bits -= 8;
-      result += static_cast<char>(bits >> number_of_bits & 0xff);
-    }
-  }
-  return result;
-}
 
 // What a page holds, as its scripts read it.
 struct Page

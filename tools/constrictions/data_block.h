@@ -36,9 +36,6 @@ private:
   std::string m_bytes;
 };
 
-/// the base64 encoding of RFC 4648
-std::string as_base64(const std::string& bytes);
-
 } // namespace constrictions
 
 #endif // CONSTRICTIONS_DATA_BLOCK_H

@@ -43,11 +43,12 @@ void check_outputs(const Options& options)
   if(!options.folder.empty())
     create_folder(options.folder);
   if(options.command == Command::SEGMENT)
-    for(const char* name : {"parts.json", "parts.ply"})
+    for(const char* name : {"parts.json", "parts.ply", "parts.vtp"})
       check_writable(options.file_in_folder(name));
   if(options.command == Command::VIEW)
     check_writable(options.page);
-  for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
+  for(const std::vector<std::string>& files :
+      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files()})
     for(const std::string& file : files)
       check_writable(file);
 }
@@ -61,6 +62,10 @@ void write_outputs(const Options& options, const Report& report)
     files.push_back({name, json});
   for(const std::string& name : options.polylines_files())
     files.push_back({name, report_as_polylines(report)});
+  for(const std::string& name : options.ply_files())
+    files.push_back({name, report_as_ply(report)});
+  for(const std::string& name : options.vtp_files())
+    files.push_back({name, report_as_vtp(report)});
   write_files(files);
   if(options.prints_json())
     write_to_standard_output(json);
@@ -103,7 +108,8 @@ void write_parts(const Options& options, const Report& report, const Parts& part
 {
   std::vector<Output_file> files = {
       {options.file_in_folder("parts.json"), parts_as_json(report, parts)},
-      {options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)}};
+      {options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)},
+      {options.file_in_folder("parts.vtp"), mesh_as_vtp(parts.mesh, parts.part_of_face)}};
   for(std::size_t p = 0; p < parts.parts.size(); ++p)
     files.push_back({options.file_in_folder(part_file_name(p)),
                      mesh_as_ply(parts.parts[p].mesh, std::vector<std::size_t>(parts.parts[p].mesh.num_faces(), p))});

@@ -30,7 +30,7 @@ const char* const examples =
     "  constrictions detect bone.ply\n"
     "      prints a table of the constrictions of bone.ply\n"
     "  constrictions detect bone.ply -o result\n"
-    "      writes result/constrictions.json and result/constrictions.polylines.txt\n"
+    "      writes result/constrictions.json, and the curves as polylines, PLY and VTP\n"
     "  constrictions detect hand.ply --near 1.5,0,-2 --max 1\n"
     "      prints the constriction nearest to a place: the loop around a finger\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
@@ -65,8 +65,8 @@ void add_common_options(CLI::App& command, Options& options)
 
   add_mesh(command, options);
   command.add_option("-o", options.folder,
-                     "write constrictions.json and constrictions.polylines.txt into the folder DIR; it is created if "
-                     "missing")
+                     "write constrictions.json, constrictions.polylines.txt, and, for other viewers, constrictions.ply and "
+                     "constrictions.vtp into the folder DIR; it is created if missing")
       ->type_name("DIR")
       ->check(not_empty);
   command.add_option("--json", options.json, "write everything that is known of the curves as JSON; - prints it")
@@ -126,8 +126,8 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
   add_mesh(command, options);
   command
       .add_option("-o", options.folder,
-                  "write parts.ply, the mesh with a colour and a patch number for each face, parts.json, and for each "
-                  "part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing")
+                  "write parts.ply and parts.vtp, the mesh with a colour and a patch number for each face, parts.json, and "
+                  "for each part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing")
       ->type_name("DIR")
       ->required()
       ->check(not_empty);
@@ -228,7 +228,7 @@ bool is_part_file(const std::string& name, const std::string& folder)
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
   return place.parent_path() == fs::weakly_canonical(fs::absolute(folder), error) &&
-         std::regex_match(place.filename().string(), std::regex("parts\\.(ply|json)|part_[0-9]+\\.ply"));
+         std::regex_match(place.filename().string(), std::regex("parts\\.(ply|json|vtp)|part_[0-9]+\\.ply"));
 }
 
 // Files that would overwrite each other or the input are a mistake on the command line.
@@ -239,7 +239,8 @@ void check_files(const Options& options)
     if(!name.empty())
       names.push_back(name);
   const std::size_t inputs = names.size();
-  for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
+  for(const std::vector<std::string>& files :
+      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files()})
     names.insert(names.end(), files.begin(), files.end());
   if(!options.page.empty())
     names.push_back(options.page);
@@ -286,6 +287,16 @@ std::string Options::file_in_folder(const std::string& name) const
 std::vector<std::string> Options::polylines_files() const
 {
   return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.polylines.txt", polylines);
+}
+
+std::vector<std::string> Options::ply_files() const
+{
+  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.ply", "");
+}
+
+std::vector<std::string> Options::vtp_files() const
+{
+  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.vtp", "");
 }
 
 std::optional<int> parse_options(int argc, char** argv, Options& options)

@@ -64,6 +64,8 @@ struct Options
 
   std::vector<std::string> json_files() const;
   std::vector<std::string> polylines_files() const;
+  std::vector<std::string> ply_files() const;
+  std::vector<std::string> vtp_files() const;
 
   /// a file for the parts, in the folder
   std::string file_in_folder(const std::string& name) const;

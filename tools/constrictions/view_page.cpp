@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "view_page.h"
 
+#include "base64.h"
 #include "certificates.h"
 #include "data_block.h"
 #include "mesh_json.h"
