@@ -18,7 +18,7 @@ export function scheme(theme) {
   const toward = new Color(dark ? '#6c737b' : '#f4f4f2');
   return {
     surface: new Color(dark ? '#9aa3ad' : '#d3d7dc'),
-    parts: partHues.map(hue => new Color(hue).lerp(toward, dark ? 0.35 : 0.5)),
+    parts: partHues.map(hue => new Color(hue).lerp(toward, 0.5)),
     casing: dark ? '#ffffff' : '#14171a',
     edges: dark ? '#000000' : '#20252b',
   };

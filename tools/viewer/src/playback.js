@@ -25,9 +25,11 @@ function filled(points) {
 }
 
 export class Playback {
-  // `onFrame(i)` is called when frame i is to be shown, with -1 for the result.
-  constructor(data, onFrame) {
+  // `onFrame(i)` is called when frame i is to be shown, with -1 for the result. Of the curves those are shown that lead
+  // to a constriction c for which `isShown(c)`.
+  constructor(data, isShown, onFrame) {
     this.data = data;
+    this.isShown = isShown;
     this.onFrame = onFrame;
     this.frames = data.playback.frames;
     this.group = new Group();
@@ -95,10 +97,14 @@ export class Playback {
     this.describe();
   }
 
-  // The curves of a frame: the range of their numbers.
-  range(frame) {
-    const {frame_begins} = this.data.arrays;
-    return frame < this.frames.length ? [frame_begins[frame], frame_begins[frame + 1]] : [0, 0];
+  // The numbers of the curves of a frame.
+  curves(frame) {
+    const {frame_begins, carried_curves} = this.data.arrays, result = [];
+    if (frame < this.frames.length)
+      for (let i = frame_begins[frame]; i < frame_begins[frame + 1]; ++i)
+        if (this.isShown(carried_curves[i]))
+          result.push(i);
+    return result;
   }
 
   describe() {
@@ -109,11 +115,11 @@ export class Playback {
     if (this.isAtEnd)
       text = 'On the input: the curves, tightened';
     else if (this.isOn) {
-      const [begin, end] = this.range(this.frame), {carried_are_seeds} = this.data.arrays;
-      const seeds = carried_are_seeds.subarray(begin, end).reduce((sum, s) => sum + s, 0);
+      const curves = this.curves(this.frame);
+      const seeds = curves.filter(i => this.data.arrays.carried_are_seeds[i] !== 0).length;
       const {level, vertices} = this.frames[this.frame];
       text = `Level ${level.toLocaleString('en')} of ${collapses.toLocaleString('en')}: `
-        + `${counted(vertices, 'vertex', 'vertices')}, ${counted(end - begin, 'curve')}`
+        + `${counted(vertices, 'vertex', 'vertices')}, ${counted(curves.length, 'curve')}`
         + (seeds > 0 ? `, ${counted(seeds, 'new seed')}` : '');
       if (this.shownLevel(this.frame) !== level)
         text += `; drawn on a coarser level`;
@@ -133,9 +139,9 @@ export class Playback {
     this.objects = [];
     if (!this.isOn)
       return;
+    this.describe(); // what is shown may have been chosen anew
     const {carried_curves, carried_are_seeds, carried_begins, carried_points} = this.data.arrays;
-    const [begin, end] = this.range(this.frame);
-    for (let i = begin; i < end; ++i) {
+    for (const i of this.curves(this.frame)) {
       const points = Array.from(carried_points.subarray(3 * carried_begins[i], 3 * carried_begins[i + 1]),
         x => x / 65535 * 4 - 2);
       const c = carried_curves[i], isSeed = carried_are_seeds[i] !== 0, line = new ClosedLine(points);

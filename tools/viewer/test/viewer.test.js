@@ -245,6 +245,10 @@ describe('the viewer', () => {
     await cactus.locator('#level').fill(String(seedFrame));
     assert.ok(count(await pixels(cactus), yellow, 60) > 20, 'no seed is lit up');
     assert.match(await cactus.locator('#status').textContent(), /new seed/);
+    await cactus.locator('#sides button').first().click();
+    assert.match(await cactus.locator('#status').textContent(), /, 0 curves/);
+    await cactus.locator('#sides button').first().click();
+    assert.match(await cactus.locator('#status').textContent(), /new seed/);
     await cactus.keyboard.press('Escape');
   });
 
