@@ -242,6 +242,7 @@ describe('the viewer', () => {
       };
     });
     assert.ok(ends.includes(0) && ends.includes(1) && ends.includes(2));
+    await cactus.locator('#prominence').fill('0');
     await cactus.locator('#level').fill(String(seedFrame));
     assert.ok(count(await pixels(cactus), yellow, 60) > 20, 'no seed is lit up');
     assert.match(await cactus.locator('#status').textContent(), /new seed/);
