@@ -33,13 +33,15 @@ const char* const examples =
     "  constrictions detect bone.ply\n"
     "      prints a table of the constrictions of bone.ply\n"
     "  constrictions detect bone.ply -o result\n"
-    "      writes result/constrictions.json and result/constrictions.polylines.txt\n"
+    "      writes result/constrictions.json, and the curves as polylines, PLY and VTP\n"
     "  constrictions detect hand.ply --near 1.5,0,-2 --max 1\n"
     "      prints the constriction nearest to a place: the loop around a finger\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
     "  constrictions segment bone.ply -o parts --side object\n"
     "      cuts the surface at its necks; writes parts/parts.ply, parts/parts.json and parts/part_0.ply ...\n"
+    "  constrictions view bone.ply -o bone.html\n"
+    "      writes a page that shows the surface with its constrictions and parts; open it in a browser\n"
     "  constrictions certify bone.ply --curves result/constrictions.json\n"
     "      proves with exact arithmetic that the curves are constrictions, or says what is wrong with them\n"
     "  constrictions batch meshes -o results -j 8 --time-limit 60\n"
@@ -68,8 +70,8 @@ void add_common_options(CLI::App& command, Options& options)
 
   add_mesh(command, options);
   command.add_option("-o", options.folder,
-                     "write constrictions.json and constrictions.polylines.txt into the folder DIR; it is created if "
-                     "missing")
+                     "write constrictions.json, constrictions.polylines.txt, and, for other viewers, constrictions.ply and "
+                     "constrictions.vtp into the folder DIR; it is created if missing")
       ->type_name("DIR")
       ->check(not_empty);
   command.add_option("--json", options.json, "write everything that is known of the curves as JSON; - prints it")
@@ -139,8 +141,8 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
   add_mesh(command, options);
   command
       .add_option("-o", options.folder,
-                  "write parts.ply, the mesh with a colour and a patch number for each face, parts.json, and for each "
-                  "part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing")
+                  "write parts.ply and parts.vtp, the mesh with a colour and a patch number for each face, parts.json, and "
+                  "for each part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing")
       ->type_name("DIR")
       ->required()
       ->check(not_empty);
@@ -158,6 +160,22 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
                             "prove nothing with exact arithmetic: curves rest on rounded numbers");
   command.add_flag("--quiet", options.quiet, "show no progress bar, and print no table");
   command.footer("\nPrints a table of the parts. Of two curves that cross the more prominent one cuts.\n");
+}
+
+void add_view_options(CLI::App& command, Options& options)
+{
+  add_mesh(command, options);
+  command
+      .add_option("-o", options.page,
+                  "write a page that shows the mesh, its parts and constrictions, and how these were found; it needs no "
+                  "other file and no network")
+      ->type_name("FILE.html")
+      ->required()
+      ->check(not_empty);
+  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
+                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+  command.add_flag("--quiet", options.quiet, "show no progress bar");
+  command.footer("\nThe page first shows what detect reports. A slider shows weaker curves, down to a prominence of 0.01.\n");
 }
 
 void add_selection_options(CLI::App& command, Selection& selection)
@@ -225,7 +243,7 @@ bool is_part_file(const std::string& name, const std::string& folder)
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
   return place.parent_path() == fs::weakly_canonical(fs::absolute(folder), error) &&
-         std::regex_match(place.filename().string(), std::regex("parts\\.(ply|json)|part_[0-9]+\\.ply"));
+         std::regex_match(place.filename().string(), std::regex("parts\\.(ply|json|vtp)|part_[0-9]+\\.ply"));
 }
 
 // Two whole numbers with a slash between them, 1 <= I <= N.
@@ -303,8 +321,11 @@ void check_files(const Options& options)
     if(!name.empty())
       names.push_back(name);
   const std::size_t inputs = names.size();
-  for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
+  for(const std::vector<std::string>& files :
+      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files()})
     names.insert(names.end(), files.begin(), files.end());
+  if(!options.page.empty())
+    names.push_back(options.page);
 
   if(options.command == Command::SEGMENT && is_part_file(options.mesh, options.folder))
     throw CLI::ValidationError(options.mesh, "the output could overwrite the input");
@@ -350,6 +371,16 @@ std::vector<std::string> Options::polylines_files() const
   return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.polylines.txt", polylines);
 }
 
+std::vector<std::string> Options::ply_files() const
+{
+  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.ply", "");
+}
+
+std::vector<std::string> Options::vtp_files() const
+{
+  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.vtp", "");
+}
+
 std::optional<int> parse_options(int argc, char** argv, Options& options)
 {
   CLI::App app(description, "constrictions");
@@ -391,6 +422,13 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   add_policy(batch, policy);
   add_seeds(batch, options.search);
 
+  CLI::App& view = *app.add_subcommand("view", "write a page that shows the constrictions in a browser");
+  add_view_options(view, options);
+  add_selection_options(view, options.selection);
+  add_policy(view, policy);
+  add_threads(view, options);
+  add_seeds(view, options.search);
+
   try
   {
     app.parse(argc, argv);
@@ -398,6 +436,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
                       : certify.parsed() ? Command::CERTIFY
                       : segment.parsed() ? Command::SEGMENT
                       : batch.parsed()   ? Command::BATCH
+                      : view.parsed()    ? Command::VIEW
                                          : Command::DETECT;
     options.policy = policy == "gh"   ? Policy::GARLAND_HECKBERT
                      : policy == "lt" ? Policy::LINDSTROM_TURK

@@ -16,7 +16,7 @@
 
 namespace constrictions {
 
-enum class Command { DETECT, TIGHTEN, CERTIFY, SEGMENT, BATCH };
+enum class Command { DETECT, TIGHTEN, CERTIFY, SEGMENT, BATCH, VIEW };
 
 enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
 
@@ -63,6 +63,7 @@ struct Options
   std::string folder;
   std::string json; ///< "-" is the standard output
   std::string polylines;
+  std::string page;
   Policy policy = Policy::GARLAND_HECKBERT;
   Search search;
   Selection selection;
@@ -76,6 +77,8 @@ struct Options
 
   std::vector<std::string> json_files() const;
   std::vector<std::string> polylines_files() const;
+  std::vector<std::string> ply_files() const;
+  std::vector<std::string> vtp_files() const;
 
   /// a file for the parts, in the folder
   std::string file_in_folder(const std::string& name) const;
