@@ -16,6 +16,7 @@ packages=(
   libgtest-dev
   libmpfr-dev
   libopenmesh-dev
+  libtbb-dev
   munge
   nlohmann-json3-dev
   parallel

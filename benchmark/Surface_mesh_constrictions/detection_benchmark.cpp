@@ -1,101 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whole detection against CGAL's edge_collapse() alone, with the same policies on a copy of the same mesh, in one run.
+// Whole detection, with one thread and with all, against CGAL's edge_collapse() alone, with the same policies on a copy of
+// the same mesh, and against OpenMesh's quadric decimater, where that is installed.
 //
-// Meshes: a generated chain of necks with about 1,000, 10,000, 100,000 and 800,000 faces; and, with
-// CONSTRICTIONS_MESH_DIR in the environment, its armadillo.off after 0, 1 and 2 Loop subdivisions.
-// Counters: faces, curves; the times of finding seeds, refinement, tightening and selection, in percent of that of the
-// simplification, and of certification, in percent of the whole; peak_MB is what the process's peak memory rose to, which
-// only means something if one benchmark is run alone (--benchmark_filter).
+// Meshes: surfaces with one neck and with many, of about 1,000 to 1,000,000 faces; and, with CONSTRICTIONS_MESH_DIR in the
+// environment, its armadillo.off after 0, 1 and 2 Loop subdivisions.
+// Counters: faces, curves; milliseconds of the stages, of which `record` is what the stage SEEDS takes without a seed source:
+// building the progressive mesh from the record; peak_MB is what the process's peak memory rose to, which only means
+// something if one benchmark is run alone (--benchmark_filter). run_benchmarks.py does that, and makes tables and plots.
+
+#include "benchmark_meshes.h"
+#include "openmesh_decimater.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/subdivision_method_3.h>
+#include <CGAL/tags.h>
 
 #include <benchmark/benchmark.h>
 
 #include <sys/resource.h>
 
 #include <array>
-#include <cmath>
+#include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
-#include <ctime>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace SMS = CGAL::Surface_mesh_simplification;
-typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+using benchmark_meshes::Kernel;
+using benchmark_meshes::Mesh;
 
-// A surface of revolution with four necks and about the given number of faces, without two equal edges in it.
-Mesh chain_of_necks(int faces)
-{
-  const int around = static_cast<int>(std::lround(std::sqrt(faces / 8.0))), along = faces / (2 * around);
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> vertices;
-  for(int i = 0; i <= along; ++i)
-  {
-    const double s = (i + 0.5) / (along + 1), radius = std::sqrt(std::sin(CGAL_PI * s)) * (1 + 0.6 * std::cos(10 * CGAL_PI * s));
-    for(int j = 0; j < around; ++j)
-    {
-      const double wobble = 1e-3 * std::sin(37.0 * i + 91.0 * j), phi = 2 * CGAL_PI * (j + 0.5 * (i % 2)) / around;
-      vertices.push_back(mesh.add_vertex(Kernel::Point_3((1 + wobble) * radius * std::cos(phi),
-                                                         (1 + wobble) * radius * std::sin(phi), 12 * s)));
-    }
-  }
-  const auto at = [&](int i, int j) { return vertices[static_cast<std::size_t>(i * around + j % around)]; };
-  for(int i = 0; i < along; ++i)
-    for(int j = 0; j < around; ++j)
-    {
-      const int shift = i % 2;
-      mesh.add_face(at(i, j), at(i, j + 1), at(i + 1, j + shift));
-      mesh.add_face(at(i, j + 1 - shift), at(i + 1, j + 1), at(i + 1, j));
-    }
-  const Mesh::Vertex_index bottom = mesh.add_vertex(Kernel::Point_3(0, 0, -0.05));
-  const Mesh::Vertex_index top = mesh.add_vertex(Kernel::Point_3(0, 0, 12.05));
-  for(int j = 0; j < around; ++j)
-  {
-    mesh.add_face(at(0, j + 1), at(0, j), bottom);
-    mesh.add_face(at(along, j), at(along, j + 1), top);
-  }
-  return mesh;
-}
+enum Family { ONE_NECK, MANY_NECKS, REAL };
 
-// armadillo.off after some Loop subdivisions; empty if there is no such file.
-Mesh armadillo(int subdivisions)
+// The size is the number of faces, or of subdivisions of the real mesh.
+Mesh make_mesh(std::int64_t family, std::int64_t size)
 {
+  const int n = static_cast<int>(size);
+  if(family == ONE_NECK)
+    return benchmark_meshes::chain_of_necks(n, 1);
+  if(family == MANY_NECKS)
+    return benchmark_meshes::bed_of_mushrooms(n, n / 500);
   const char* const directory = std::getenv("CONSTRICTIONS_MESH_DIR");
-  Mesh mesh;
-  if(directory == nullptr || !CGAL::IO::read_polygon_mesh(std::string(directory) + "/armadillo.off", mesh))
-    return Mesh();
-  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(subdivisions));
-  mesh.collect_garbage();
-  return mesh;
+  return directory == nullptr ? Mesh() : benchmark_meshes::subdivided(std::string(directory) + "/armadillo.off", n);
 }
 
 const Mesh& mesh_of(const benchmark::State& state)
 {
-  static std::vector<std::pair<std::pair<std::int64_t, std::int64_t>, Mesh> > cache;
-  const std::pair<std::int64_t, std::int64_t> key(state.range(0), state.range(1));
-  if(cache.empty() || cache.front().first != key)
+  static std::pair<std::int64_t, std::int64_t> key(-1, -1);
+  static Mesh mesh;
+  if(key != std::make_pair(state.range(0), state.range(1)))
   {
-    cache.clear();
-    cache.emplace_back(key, key.first == 0 ? chain_of_necks(static_cast<int>(key.second))
-                                           : armadillo(static_cast<int>(key.second)));
+    key = std::make_pair(state.range(0), state.range(1));
+    mesh = make_mesh(key.first, key.second);
   }
-  return cache.front().second;
+  return mesh;
 }
+
+constexpr const char* no_mesh = "no armadillo.off in CONSTRICTIONS_MESH_DIR";
 
 struct Never_stop
 {
@@ -115,7 +87,7 @@ void edge_collapse_alone(benchmark::State& state)
 {
   const Mesh& mesh = mesh_of(state);
   if(mesh.is_empty())
-    return state.SkipWithError("no armadillo.off in CONSTRICTIONS_MESH_DIR");
+    return state.SkipWithError(no_mesh);
   for(auto _ : state)
   {
     Mesh copy = mesh;
@@ -126,63 +98,96 @@ void edge_collapse_alone(benchmark::State& state)
   report(state, mesh);
 }
 
-// Adds up the processor time of the stages.
+void openmesh_decimater(benchmark::State& state)
+{
+  const Mesh& mesh = mesh_of(state);
+  if(mesh.is_empty())
+    return state.SkipWithError(no_mesh);
+  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<std::size_t, 3> > triangles;
+  for(auto v : mesh.vertices())
+    points.push_back({{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()}});
+  for(auto f : mesh.faces())
+  {
+    triangles.emplace_back();
+    std::size_t i = 0;
+    for(auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      triangles.back()[i++] = v;
+  }
+  const Openmesh_decimater decimater(points, triangles);
+  for(auto _ : state)
+    if(decimater.collapses_of_a_copy() == 0)
+      return state.SkipWithError("OpenMesh is not installed");
+  report(state, mesh);
+}
+
+// Adds up the time of the stages.
 struct Stage_clock : public SMC::Detection_visitor_base
 {
+  typedef std::chrono::steady_clock Clock;
   struct Times
   {
-    std::clock_t begin = 0;
-    std::array<double, 6> seconds = {0, 0, 0, 0, 0, 0};
+    Clock::time_point begin;
+    std::array<double, 6> milliseconds = {0, 0, 0, 0, 0, 0};
 
-    double operator[](SMC::Detection_stage stage) const { return seconds[static_cast<std::size_t>(stage)]; }
+    double operator[](SMC::Detection_stage stage) const { return milliseconds[static_cast<std::size_t>(stage)]; }
   };
   Times* times;
 
   explicit Stage_clock(Times& times) : times(&times) {}
-  void on_stage_begin(SMC::Detection_stage, std::size_t) const { times->begin = std::clock(); }
+  void on_stage_begin(SMC::Detection_stage, std::size_t) const { times->begin = Clock::now(); }
   void on_stage_end(SMC::Detection_stage stage) const
   {
-    times->seconds[static_cast<std::size_t>(stage)] +=
-        static_cast<double>(std::clock() - times->begin) / CLOCKS_PER_SEC;
+    times->milliseconds[static_cast<std::size_t>(stage)] +=
+        std::chrono::duration<double, std::milli>(Clock::now() - times->begin).count();
   }
 };
 
+template <class ConcurrencyTag>
 void whole_detection(benchmark::State& state)
 {
   using SMC::Detection_stage;
   const Mesh& mesh = mesh_of(state);
   if(mesh.is_empty())
-    return state.SkipWithError("no armadillo.off in CONSTRICTIONS_MESH_DIR");
+    return state.SkipWithError(no_mesh);
   std::vector<SMC::Constriction<Mesh> > constrictions;
-  Stage_clock::Times times;
-  const std::clock_t start = std::clock();
+  Stage_clock::Times times, without_seeds;
   for(auto _ : state)
   {
     constrictions.clear();
-    SMC::detect_constrictions(mesh, std::back_inserter(constrictions), CGAL::parameters::visitor(Stage_clock(times)));
+    SMC::detect_constrictions<ConcurrencyTag>(mesh, std::back_inserter(constrictions),
+                                              CGAL::parameters::visitor(Stage_clock(times)));
   }
-  const double whole = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  const double simplification = times[Detection_stage::SIMPLIFICATION];
   report(state, mesh);
-  state.counters["seeds_percent"] = 100 * times[Detection_stage::SEEDS] / simplification;
-  state.counters["select_percent"] = 100 * times[Detection_stage::SELECTION] / simplification;
-  state.counters["refine_percent"] = 100 * times[Detection_stage::REFINEMENT] / simplification;
-  state.counters["tighten_percent"] = 100 * times[Detection_stage::TIGHTENING] / simplification;
-  state.counters["certify_percent"] = 100 * times[Detection_stage::CERTIFICATION] / whole;
+  std::vector<SMC::Constriction<Mesh> > none;
+  SMC::detect_constrictions<ConcurrencyTag>(
+      mesh, std::back_inserter(none),
+      SMC::parameters::seed_sources(SMC::Given_seeds({}), CGAL::parameters::visitor(Stage_clock(without_seeds))));
+  const double n = static_cast<double>(state.iterations()), record = without_seeds[Detection_stage::SEEDS];
+  state.counters["simplify"] = times[Detection_stage::SIMPLIFICATION] / n;
+  state.counters["record"] = record;
+  state.counters["seeds"] = times[Detection_stage::SEEDS] / n - record;
+  state.counters["refine"] = times[Detection_stage::REFINEMENT] / n;
+  state.counters["tighten"] = times[Detection_stage::TIGHTENING] / n;
+  state.counters["certify"] = times[Detection_stage::CERTIFICATION] / n;
+  state.counters["select"] = times[Detection_stage::SELECTION] / n;
   state.counters["curves"] = static_cast<double>(constrictions.size());
 }
 
 void arguments(benchmark::internal::Benchmark* b)
 {
-  b->ArgNames({"armadillo", "size"})->Unit(benchmark::kMillisecond);
-  for(int faces : {1000, 10000, 100000, 800000})
-    b->Args({0, faces});
+  b->ArgNames({"family", "size"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  for(int family : {ONE_NECK, MANY_NECKS})
+    for(int faces : {1000, 10000, 100000, 1000000})
+      b->Args({family, faces});
   for(int subdivisions : {0, 1, 2})
-    b->Args({1, subdivisions});
+    b->Args({REAL, subdivisions});
 }
 
 BENCHMARK(edge_collapse_alone)->Apply(arguments);
-BENCHMARK(whole_detection)->Apply(arguments);
+BENCHMARK(openmesh_decimater)->Apply(arguments);
+BENCHMARK_TEMPLATE(whole_detection, CGAL::Sequential_tag)->Apply(arguments);
+BENCHMARK_TEMPLATE(whole_detection, CGAL::Parallel_if_available_tag)->Apply(arguments);
 
 } // namespace
 

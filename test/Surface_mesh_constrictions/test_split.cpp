@@ -276,6 +276,7 @@ void expect_parts_of_file(const std::string& name, std::size_t number_of_parts)
 }
 
 TEST(Split_real_meshes, Cactus) { expect_parts_of_file("cactus.off", 4); }
+// The loops through its two holes and the one around both: the front and the back, two pairs of pants.
 TEST(Split_real_meshes, Eight) { expect_parts_of_file("eight.off", 2); }
 
 } // namespace

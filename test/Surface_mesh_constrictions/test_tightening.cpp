@@ -200,7 +200,8 @@ TEST(Tightening, ATightCurveDoesNotMove)
     const Mesh mesh = test_meshes::make_mesh(soup);
     const SMC::Progressive_mesh pm = test_meshes::make_progressive(soup);
     SMC::internal::Curve_network network(pm, false);
-    SMC::internal::Curve_settler settler(network);
+    const SMC::internal::Corner_angles angles(pm);
+    SMC::internal::Curve_settler settler(network, SMC::internal::Length_unit(pm), angles);
     std::vector<Index> path;
     for(auto v : random_loop(mesh, seed))
       path.push_back(v);

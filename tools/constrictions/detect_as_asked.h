@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions_near.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
+#include <CGAL/tags.h>
+
 #include <iterator>
 #include <vector>
 
@@ -24,18 +26,19 @@ std::vector<Constriction> detect_as_asked(const Mesh& mesh, const Selection& sel
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
 
+  typedef CGAL::Parallel_if_available_tag Concurrency;
   std::vector<Constriction> result;
   const auto selected = with_selection(selection, np);
   if(search.location)
   {
     const Mesh::Point location((*search.location)[0], (*search.location)[1], (*search.location)[2]);
-    SMC::detect_constrictions_near(mesh, location, std::back_inserter(result),
-                                   SMC::parameters::certify(search.certifies, selected));
+    SMC::detect_constrictions_near<Concurrency>(mesh, location, std::back_inserter(result),
+                                                SMC::parameters::certify(search.certifies, selected));
   }
   else
-    SMC::detect_constrictions(mesh, std::back_inserter(result),
-                              SMC::parameters::certify(search.certifies,
-                                                       with_seed_sources(search.triangles_only, selected)));
+    SMC::detect_constrictions<Concurrency>(
+        mesh, std::back_inserter(result),
+        SMC::parameters::certify(search.certifies, with_seed_sources(search.triangles_only, selected)));
   return result;
 }
 

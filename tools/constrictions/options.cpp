@@ -85,6 +85,16 @@ void add_common_options(CLI::App& command, Options& options)
   command.footer("\nWithout -o, --json and --polylines a table is printed.\n");
 }
 
+void add_threads(CLI::App& command, Options& options)
+{
+  command
+      .add_option("--threads", options.threads,
+                  "compute with N threads at most; without it, with as many as there are processors. The result is the "
+                  "same")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber.description(""));
+}
+
 void add_certify_options(CLI::App& command, Options& options)
 {
   add_mesh(command, options);
@@ -351,6 +361,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   add_common_options(detect, options);
   std::string policy = "gh", side;
   add_policy(detect, policy);
+  add_threads(detect, options);
   add_selection_options(detect, options.selection);
   add_near_option(detect, options.search);
   add_seeds(detect, options.search)->excludes("--near");
@@ -371,6 +382,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   add_segment_options(segment, options, side);
   add_selection_options(segment, options.selection);
   add_policy(segment, policy);
+  add_threads(segment, options);
   add_seeds(segment, options.search);
 
   CLI::App& batch = *app.add_subcommand("batch", "find the constrictions of many meshes");

@@ -68,6 +68,7 @@ struct Options
   Selection selection;
   Segmentation segmentation;
   Batch batch;
+  std::optional<std::size_t> threads; ///< at most
   bool quiet = false;
 
   bool prints_json() const { return json == "-"; }

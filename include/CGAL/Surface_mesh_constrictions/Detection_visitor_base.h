@@ -33,7 +33,8 @@ enum class Detection_stage { SIMPLIFICATION, SEEDS, REFINEMENT, TIGHTENING, CERT
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Visitor of `detect_constrictions()` whose callbacks do nothing: derive from it and hide what you need.
-/// The visitor is copied: let it point to what it changes.
+/// The visitor is copied: let it point to what it changes. With `Parallel_tag` it is called by different threads, but by one at
+/// a time.
 struct Detection_visitor_base
 {
   /// called when a stage begins that takes `steps` steps: edge collapses expected, levels, or curves

@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 
+#include <CGAL/tags.h>
+
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -39,13 +41,15 @@ struct Carrying_parameters
 /// large meshes they are tightened on a few fine levels on the way, where hardly any curve is lost by that, so that
 /// little is left to be done on T^0.
 ///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. The output is the same.
+///
 /// \param pm the surface; at level 0 afterwards
 /// \param seeds the seeds, on any levels, in any order
 /// \param parameters the levels to tighten on, and what is kept
 /// \param out an output iterator that takes `Refined_curve`
 /// \param visitor see `Refinement_visitor_base`; told of levels only
 /// \cost O(degree) for each level and for each vertex split on a path, plus that of `merge_seed_curves()`
-template <class OutputIterator, class Visitor>
+template <class ConcurrencyTag = Sequential_tag, class OutputIterator, class Visitor>
 OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,
                                  const Carrying_parameters& parameters, OutputIterator out, Visitor& visitor)
 {
@@ -58,7 +62,7 @@ OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   Merging_parameters merging = parameters.merging;
   const auto merge_on = [&](std::size_t level) {
     std::vector<Merged_seed> merged;
-    internal::merge_seed_curves(pm, curves, level, merging, coarse ? &*coarse : nullptr, std::back_inserter(merged));
+    internal::merge_seed_curves<ConcurrencyTag>(pm, curves, level, merging, coarse ? &*coarse : nullptr, std::back_inserter(merged));
     visitor.on_level(level);
     std::vector<Seed_curve> kept;
     std::vector<std::vector<std::size_t> > kept_for;

@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
@@ -19,6 +18,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <optional>
@@ -42,6 +42,8 @@ namespace Surface_mesh_constrictions {
 ///
 /// The same input gives the same output. `tm` is not changed.
 ///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
+///         `Parallel_if_available_tag`. The output is the same.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam OutputIterator takes `Constriction<TriangleMesh>`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -154,7 +156,7 @@ namespace Surface_mesh_constrictions {
 ///
 /// \sa `tighten_closed_curve()`
 /// \sa `select_constrictions()`
-template <class TriangleMesh, class OutputIterator,
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
                                     const NamedParameters& np = CGAL::parameters::default_values())
@@ -181,7 +183,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       [&](const auto&... policies) {
         static_assert(sizeof...(policies) > 0, "simplification_policies is empty");
         std::size_t left = sizeof...(policies);
-        (surface.emplace(internal::carry_seeds_to_input(imported, --left == 0, policies, np, visitor, carried, coarse)),
+        (surface.emplace(internal::carry_seeds_to_input<ConcurrencyTag>(imported, --left == 0, policies, np, visitor, carried, coarse)),
          ...);
       },
       internal::policies_asked_for(np));
@@ -194,20 +196,23 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
 
   visitor.on_stage_begin(Detection_stage::TIGHTENING, refined.size());
   internal::Curve_network network(pm, false);
-  internal::Curve_settler settler(network);
   std::vector<internal::Found_curve> found =
-      internal::tighten_refined(network, settler, refined, certifies, statistics, [&visitor](std::size_t i) {
+      internal::tighten_refined<ConcurrencyTag>(network, refined, certifies, statistics, [&visitor](std::size_t i) {
         visitor.on_step(Detection_stage::TIGHTENING, i);
       });
-  statistics.leaky_bands = settler.number_of_leaks();
   visitor.on_stage_end(Detection_stage::TIGHTENING);
 
   visitor.on_stage_begin(Detection_stage::CERTIFICATION, certifies ? found.size() : 0);
   if(certifies)
   {
-    internal::Exact_settler<TriangleMesh, std::decay_t<decltype(vpm)> > exact_settler(pm, imported, vpm);
-    internal::certify_found(network, exact_settler, imported.unit(), refined, found, statistics,
-                            [&visitor](std::size_t i) { visitor.on_step(Detection_stage::CERTIFICATION, i); });
+    typedef std::decay_t<decltype(vpm)> Vertex_point_map;
+    // other numbers than the built-in ones may share what they are made of
+    typedef std::decay_t<decltype(get(vpm, imported.vertex(0)).x())> Coordinate;
+    typedef std::conditional_t<std::is_arithmetic<Coordinate>::value, ConcurrencyTag, Sequential_tag> Certification_tag;
+    internal::certify_found<Certification_tag>(
+        network, [&] { return internal::Exact_settler<TriangleMesh, Vertex_point_map>(pm, imported, vpm); },
+        imported.unit(), refined, found, statistics,
+        [&visitor](std::size_t i) { visitor.on_step(Detection_stage::CERTIFICATION, i); });
   }
   internal::merge_coinciding(network, found);
 

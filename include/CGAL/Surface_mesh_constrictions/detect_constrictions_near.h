@@ -84,7 +84,7 @@ struct Statistics_keeper
 ///
 /// \sa `detect_constrictions()`
 /// \sa `Local_cut_locus_source`
-template <class TriangleMesh, class Point, class OutputIterator,
+template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class Point, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& location, OutputIterator out,
                                          const NamedParameters& np = CGAL::parameters::default_values())
@@ -106,7 +106,7 @@ OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& lo
   const auto selection = parameters::minimum_prominence(
       minimum_prominence, parameters::maximum_number_of_constrictions(no_limit, kept));
   std::vector<Constriction<TriangleMesh> > found;
-  detect_constrictions(tm, std::back_inserter(found),
+  detect_constrictions<ConcurrencyTag>(tm, std::back_inserter(found),
                        parameters::seed_sources(Local_cut_locus_source(query.nearest_vertex()),
                                                 parameters::first_constriction_only(false, selection)));
 

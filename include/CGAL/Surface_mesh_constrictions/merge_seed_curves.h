@@ -8,14 +8,15 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Tightening_basins.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
 #include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten_paths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+
+#include <CGAL/tags.h>
 
 #include <boost/container_hash/hash.hpp>
 
@@ -83,11 +84,11 @@ inline std::vector<std::size_t> coarsest_first(const std::vector<Seed_curve>& se
   return order;
 }
 
-// Of those closed geodesics the ones that may be asked for, as far as this level tells. Curves that are not simple here
-// may be on a finer level. If there is a copy of a coarser level prominences are measured there, and curves that are not
-// there may be asked for. Cost: that of the areas and prominences.
-inline std::vector<Index> curves_asked_for(const Curve_network& network, const Merging_parameters& parameters,
-                                           const Level_copy* coarse)
+// Of those closed geodesics of a copied level the ones that may be asked for, as far as this level tells. Curves that are
+// not simple here may be on a finer level. If there is a copy of a coarser level prominences are measured there, and curves
+// that are not there may be asked for. Cost: that of the areas and prominences.
+inline std::vector<Index> curves_asked_for(const Curve_network& network, const Level_copy& level,
+                                           const Merging_parameters& parameters, const Level_copy* coarse)
 {
   const Progressive_mesh& pm = network.surface();
   std::vector<Index> all, result, simple;
@@ -125,7 +126,18 @@ inline std::vector<Index> curves_asked_for(const Curve_network& network, const M
     if(coarse == nullptr)
       p = prominences(pm, traces);
     else
-      is_unknown = add_coarse_prominences(pm, *coarse, traces, p);
+    {
+      std::vector<double> lengths;
+      std::vector<std::vector<Index> > passed;
+      for(std::size_t i = 0; i < simple.size(); ++i)
+      {
+        lengths.push_back(network.length(simple[i]));
+        passed.push_back(vertices_passed(pm, traces[i]));
+        for(Index& v : passed.back())
+          v = level.original(v);
+      }
+      is_unknown = add_coarse_prominences(*coarse, lengths, passed, p);
+    }
     for(std::size_t i = 0; i < simple.size(); ++i)
       if(is_unknown[i] || p[i].value >= parameters.minimum_prominence)
         result.push_back(simple[i]);
@@ -135,7 +147,7 @@ inline std::vector<Index> curves_asked_for(const Curve_network& network, const M
 }
 
 // See `CGAL::Surface_mesh_constrictions::merge_seed_curves()`; `coarse` is a copy of a coarser level, or null.
-template <class OutputIterator>
+template <class ConcurrencyTag, class OutputIterator>
 OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds, std::size_t level,
                                  const Merging_parameters& parameters, const Level_copy* coarse, OutputIterator out)
 {
@@ -168,20 +180,20 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   const auto give_up = [&](std::size_t i, Merging_verdict verdict) {
     *out++ = Merged_seed{Seed_curve{level, {}, paths[i].curve.origin}, paths[i].seeds, verdict};
   };
-  Curve_network network(pm, false);
-  Tightener tightener(network, Length_unit(pm));
-  tightener.fix_level();
-  Tightening_basins basins(network, tightener);
-  for(std::size_t i = 0; i < paths.size(); ++i)
+  // ids of the level's own keep what belongs together close in memory
+  const Level_copy level_copy(pm);
+  std::vector<Path> copies;
+  for(const Merged_seed& m : paths)
   {
-    const Index c = network.add_curve(i, paths[i].curve.vertices), end = basins.tighten(c);
-    if(end == null_index)
-      give_up(i, Merging_verdict::POINT);
-    else if(end != c)
-      network.merge(c, end);
+    copies.push_back(m.curve.vertices);
+    for(Index& v : copies.back())
+      v = level_copy.vertex(v);
   }
+  Curve_network network(level_copy.surface(), false);
+  for(std::size_t i : tighten_paths<ConcurrencyTag>(copies, network))
+    give_up(i, Merging_verdict::POINT);
 
-  const std::vector<Index> asked = curves_asked_for(network, parameters, coarse);
+  const std::vector<Index> asked = curves_asked_for(network, level_copy, parameters, coarse);
   for(Index c = 0; c < network.number_of_curve_ids(); ++c)
   {
     if(network.is_empty(c))
@@ -210,8 +222,10 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
       }
       if(parameters.tight)
       {
-        std::vector<Index> path =
-            path_beside_curve(pm, trace(pm, arcs_of_curve(network, c)));
+        const Progressive_mesh& surface = level_copy.surface();
+        Path path = path_beside_curve(surface, trace(surface, arcs_of_curve(network, c)));
+        for(Index& v : path)
+          v = level_copy.original(v);
         if(path.size() > 2)
           merged.curve.vertices.swap(path);
       }
@@ -234,6 +248,8 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
 /// to the one kept before it. What is kept is not tightened, unless that is asked for: a curve that is tight on a coarse
 /// level often lies where it slips off later on.
 ///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. The output is the same.
+///
 /// \param pm the surface; at the given level afterwards
 /// \param seeds the seeds, on any levels, in any order. Those of finer levels are written as they are.
 /// \param level the level to merge on
@@ -241,11 +257,11 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
 /// \param out an output iterator that takes `Merged_seed`
 /// \cost O(degree) for each level and for each vertex split on a path, plus for each seed that of tightening it on the
 ///       given level until it is what another one was on its way, plus that of the areas and prominences asked for
-template <class OutputIterator>
+template <class ConcurrencyTag = Sequential_tag, class OutputIterator>
 OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds, std::size_t level,
                                  const Merging_parameters& parameters, OutputIterator out)
 {
-  return internal::merge_seed_curves(pm, seeds, level, parameters, nullptr, out);
+  return internal::merge_seed_curves<ConcurrencyTag>(pm, seeds, level, parameters, nullptr, out);
 }
 
 } // namespace Surface_mesh_constrictions

@@ -34,7 +34,8 @@ private:
 ///
 /// Simplification policies are a copyable type that is called with the mesh to be simplified, a `Simplification_mesh`,
 /// before the simplification, and returns an object that has the members `get_cost()` and `get_placement()` and is alive
-/// as long as the simplification. Passed to the named parameter `simplification_policies`, one or several in a
+/// as long as the simplification. The cost is of a class that can be derived from. Of a large mesh parts are simplified on
+/// their own first, and with `Parallel_tag` several at a time: then the policies are called for each part. Passed to the named parameter `simplification_policies`, one or several in a
 /// `std::tuple`.
 ///
 /// `Garland_heckbert_policies` are CGAL's `GarlandHeckbert_plane_policies`, as in the paper.

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
@@ -118,7 +119,8 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
     index.emplace(get(vim, imported.vertex(v)), v);
 
   internal::Curve_network network(pm, false);
-  internal::Curve_settler settler(network);
+  const internal::Corner_angles angles(pm);
+  internal::Curve_settler settler(network, internal::Length_unit(pm), angles);
   internal::Exact_settler<TriangleMesh, std::decay_t<decltype(vpm)> > exact_settler(pm, imported, vpm);
   internal::Constriction_maker<TriangleMesh> maker(imported, pm);
   std::size_t number = 0;

@@ -27,7 +27,7 @@ struct Summary
   }
 };
 
-template <class Graph, class NamedParameters>
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Graph, class NamedParameters>
 std::vector<Summary> detect(const Graph& graph, const NamedParameters& np)
 {
   typedef CGAL::Surface_mesh_constrictions::Constriction<Graph> Constriction;
@@ -35,7 +35,7 @@ std::vector<Summary> detect(const Graph& graph, const NamedParameters& np)
   for(auto v : vertices(graph))
     number.emplace(v, number.size());
   std::vector<Constriction> curves;
-  CGAL::Surface_mesh_constrictions::detect_constrictions(graph, std::back_inserter(curves), np);
+  CGAL::Surface_mesh_constrictions::detect_constrictions<ConcurrencyTag>(graph, std::back_inserter(curves), np);
   std::vector<Summary> result;
   for(const Constriction& c : curves)
   {

@@ -63,10 +63,11 @@ public:
   bool is_empty(Index c) const { return m_curves[c].size == 0; }
 
   // Adds a curve without arcs.
-  Index add_curve(std::size_t seed)
+  Index add_curve(std::size_t seed) { return add_curve(std::vector<std::size_t>(1, seed)); }
+  Index add_curve(std::vector<std::size_t> seeds)
   {
     m_curves.emplace_back();
-    m_curves.back().seeds.push_back(seed);
+    m_curves.back().seeds = std::move(seeds);
     return static_cast<Index>(m_curves.size() - 1);
   }
 

@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Flat_band.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
@@ -50,11 +51,10 @@ inline void check_loop(const Progressive_mesh& pm, const std::vector<Index>& pat
 class Curve_settler
 {
 public:
-  explicit Curve_settler(Curve_network& network)
-    : m_network(network), m_tightener(network, Length_unit(network.surface()))
-  {
-    m_tightener.fix_level();
-  }
+  // `unit` and `angles` of the network's surface, which stays at its level
+  Curve_settler(Curve_network& network, const Length_unit& unit, const Corner_angles& angles)
+    : m_network(network), m_tightener(network, unit, &angles)
+  {}
 
   Tightening_verdict settle(Index c)
   {

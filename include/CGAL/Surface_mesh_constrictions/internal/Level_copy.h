@@ -4,7 +4,6 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
 
 #include <cstddef>
@@ -22,7 +21,7 @@ class Level_copy
 public:
   // Copies the current surface. Linear in T^0.
   explicit Level_copy(const Progressive_mesh& pm)
-    : m_vertex(pm.number_of_vertex_ids(), null_index), m_surface(copy(pm, m_vertex))
+    : m_vertex(pm.number_of_vertex_ids(), null_index), m_surface(copy(pm, m_vertex, m_original))
   {
     for(std::size_t k = pm.level(); k-- > 0;)
     {
@@ -33,20 +32,24 @@ public:
 
   const Progressive_mesh& surface() const { return m_surface; }
 
-  // The closed path of edges of this surface that a closed curve of a finer level, at which `pm` is, becomes as faces
-  // shrink: a curve of the same homotopy class. Fewer than three vertices if it becomes a point or an edge forth and
-  // back. Linear.
-  std::vector<Index> path(const Progressive_mesh& pm, const std::vector<Trace_point>& trace) const
+  // the vertex of this surface that a vertex of T^0 has been merged into
+  Index vertex(Index v) const { return m_vertex[v]; }
+
+  // the number in T^0 of a vertex of this surface
+  Index original(Index v) const { return m_original[v]; }
+
+  // What a sequence of vertices of T^0, those that a closed curve of a finer level passes by, becomes as faces shrink: a
+  // closed path of edges. Fewer than three vertices if it is a point or an edge forth and back. Linear.
+  std::vector<Index> path(std::vector<Index> vertices) const
   {
-    std::vector<Index> path;
-    for(const Trace_point& p : trace)
-      path.push_back(m_vertex[p.is_pivot() ? p.pivot : pm.target(p.halfedge)]);
-    remove_spurs(path);
-    return path;
+    for(Index& v : vertices)
+      v = m_vertex[v];
+    remove_spurs(vertices);
+    return vertices;
   }
 
 private:
-  static Progressive_mesh copy(const Progressive_mesh& pm, std::vector<Index>& vertex)
+  static Progressive_mesh copy(const Progressive_mesh& pm, std::vector<Index>& vertex, std::vector<Index>& original)
   {
     std::vector<Index> corners;
     std::vector<Progressive_mesh::Point> points;
@@ -59,6 +62,7 @@ private:
           {
             v = static_cast<Index>(points.size());
             points.push_back(pm.point(pm.source(h)));
+            original.push_back(pm.source(h));
           }
           corners.push_back(v);
         }
@@ -66,7 +70,8 @@ private:
     return Progressive_mesh(make_corner_table(n, std::move(corners)), std::move(points));
   }
 
-  std::vector<Index> m_vertex; // of this surface, by vertex of T^0
+  std::vector<Index> m_vertex;   // of this surface, by vertex of T^0
+  std::vector<Index> m_original; // the other way round
   Progressive_mesh m_surface;
 };
 

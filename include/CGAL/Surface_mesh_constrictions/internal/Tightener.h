@@ -3,6 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTENER_H
 
 #include <CGAL/Surface_mesh_constrictions/internal/Closed_strip.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
 
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -69,17 +69,12 @@ private:
 class Tightener
 {
 public:
-  Tightener(Curve_network& network, const Length_unit& unit)
-    : m_network(network), m_unit(unit), m_puller(network.surface())
+  // `angles` of the surface if it stays at its level, or null
+  Tightener(Curve_network& network, const Length_unit& unit, const Corner_angles* angles = nullptr)
+    : m_network(network), m_unit(unit), m_angles(angles), m_puller(network.surface())
   {}
 
   String_puller& puller() { return m_puller; }
-
-  // Keeps the angles of the surface's corners once they are computed. The surface must stay at its level from now on.
-  void fix_level()
-  {
-    m_corners.assign(m_network.surface().number_of_halfedge_ids(), (std::numeric_limits<double>::quiet_NaN)());
-  }
 
   // Notes the pivot at which an arc starts, if one of its side angles is below pi. The arcs at it must be in place.
   void enqueue(Index arc)
@@ -138,14 +133,7 @@ private:
     }
   };
 
-  double corner(Index h)
-  {
-    if(m_corners.empty())
-      return corner_angle(m_network.surface(), h);
-    if(std::isnan(m_corners[h]))
-      m_corners[h] = corner_angle(m_network.surface(), h);
-    return m_corners[h];
-  }
+  double corner(Index h) const { return m_angles ? (*m_angles)(h) : corner_angle(m_network.surface(), h); }
 
   // Leads the curve around the given side of the pivot where `arc` starts, if that shortens it.
   bool reroute(Index arc, Turn side)
@@ -212,9 +200,9 @@ private:
 
   Curve_network& m_network;
   Length_unit m_unit;
+  const Corner_angles* m_angles;
   String_puller m_puller;
   std::priority_queue<Entry> m_queue;
-  std::vector<double> m_corners; // angles by halfedge, NaN where not computed yet; empty if the level may change
   Strip m_strip;
   std::vector<Arc> m_arcs;
 };

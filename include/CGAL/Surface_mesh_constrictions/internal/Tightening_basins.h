@@ -17,7 +17,8 @@ namespace internal {
 
 // Tightens curves one after the other, and finds out which of them end as the same curve. What a step of the tightening
 // does depends on the curve alone, so a curve that has become what an earlier one was on its way ends where that ended:
-// it is not tightened any further.
+// it is not tightened any further. Not every curve on the way is kept in mind, but one in eight, chosen by its hash: two
+// that have met pass the same ones soon.
 class Tightening_basins
 {
 public:
@@ -32,6 +33,8 @@ public:
     const auto pass = [&](Index curve) {
       if(m_network.is_empty(curve))
         return true;
+      if((m_network.curve(curve).hash & 7u) != 0)
+        return false;
       const auto passed = m_passed.emplace(m_network.curve(curve).hash, curve);
       known = passed.first->second;
       return known != curve;
@@ -43,6 +46,8 @@ public:
     }
     if(m_network.is_empty(c))
       return null_index;
+    if(known == null_index || known == c)
+      known = m_passed.emplace(m_network.curve(c).hash, c).first->second;
     m_ends[c] = known == c ? c : m_ends[known];
     if(m_ends[c] == null_index)
       m_network.remove(c);

@@ -166,7 +166,7 @@ struct Seeds_on_input
 // Simplifies the mesh, finds seeds on the way, and carries them to T^0: appends them to those of other policies. Returns
 // the surface, at level 0, and copies its level with `prominence_vertices` if there is no copy yet. Takes the connectivity
 // and the points out of the imported mesh if `is_last`.
-template <class ImportedMesh, class Policies, class NamedParameters, class Visitor>
+template <class ConcurrencyTag, class ImportedMesh, class Policies, class NamedParameters, class Visitor>
 Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, const Policies& policies,
                                       const NamedParameters& np, const Visitor& visitor, Seeds_on_input& all,
                                       std::optional<Level_copy>& coarse)
@@ -183,7 +183,14 @@ Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, cons
       has_seed_detection<NamedParameters> ? Tightening_schedule::AT_THE_END : Tightening_schedule::UNSTRAIGHTENED);
 
   visitor.on_stage_begin(Detection_stage::SIMPLIFICATION, imported.points.size());
-  const Collapse_record record = simplify(imported, policies, with_refused_seeds, first_only, visitor);
+  // costs and placements that are given as they are may know the vertices of the mesh by number
+  constexpr bool has_cost =
+      !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value;
+  std::optional<Block_simplification> in_blocks;
+  if(!has_cost && !first_only)
+    in_blocks.emplace();
+  const Collapse_record record =
+      simplify<ConcurrencyTag>(imported, policies, with_refused_seeds, first_only, in_blocks, visitor);
   visitor.on_stage_end(Detection_stage::SIMPLIFICATION);
   all.collapses += record.collapses.size();
 
@@ -200,7 +207,7 @@ Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, cons
   const std::size_t first = all.refined.size();
   Refinement_progress<Visitor> progress(visitor, pm.number_of_collapses());
   if(schedule == Tightening_schedule::UNSTRAIGHTENED)
-    carry_seed_curves(pm, seeds, carrying_parameters(np), std::back_inserter(all.refined), progress);
+    carry_seed_curves<ConcurrencyTag>(pm, seeds, carrying_parameters(np), std::back_inserter(all.refined), progress);
   else
     refine_seed_curves(pm, seeds, schedule, std::back_inserter(all.refined), progress);
   visitor.on_stage_end(Detection_stage::REFINEMENT);

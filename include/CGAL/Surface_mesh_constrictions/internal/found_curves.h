@@ -5,16 +5,21 @@
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Group.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/coincidence.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 
+#include <CGAL/for_each.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <mutex>
 #include <vector>
 
 namespace CGAL {
@@ -30,37 +35,80 @@ struct Found_curve
   Certificate certificate;
 };
 
-// Tightens refined curves on T^0, and returns what is left of them, each once. Curves that cross or touch themselves are
-// among them if `with_not_simple`.
-template <class Progress>
-std::vector<Found_curve> tighten_refined(Curve_network& network, Curve_settler& settler,
-                                         const std::vector<Refined_curve>& refined, bool with_not_simple,
-                                         Detection_statistics& statistics, const Progress& on_step)
+// What a refined curve is tightened to.
+struct Settled_curve
 {
+  Tightening_verdict verdict;
+  std::vector<Arc> arcs;
+  double band_width;
+};
+
+// Of a group of curves: what they are tightened to, and how often one slipped out of a flat band.
+struct Settled_curves
+{
+  std::vector<Settled_curve> curves;
+  std::size_t leaks = 0;
+};
+
+// Tightens refined curves on the surface of a network, and writes what is left of them into it, each once. Curves that
+// cross or touch themselves are among them if `with_not_simple`. Calls on_step() with the number of curves done.
+template <class ConcurrencyTag, class Progress>
+std::vector<Found_curve> tighten_refined(Curve_network& network, const std::vector<Refined_curve>& refined,
+                                         bool with_not_simple, Detection_statistics& statistics, const Progress& on_step)
+{
+  const Progressive_mesh& pm = network.surface();
+  const Length_unit unit(pm);
+  const Corner_angles angles(pm);
+  const std::size_t group_size = 32;
+  auto in_groups = make_groups<Settled_curves>(refined.size(), group_size);
+  std::mutex mutex;
+  std::size_t done = 0;
+  CGAL::for_each<ConcurrencyTag>(in_groups, [&](Group<Settled_curves>& group) {
+    Curve_network its_network(pm, false);
+    Curve_settler settler(its_network, unit, angles);
+    for(std::size_t i = group.begin; i < group.end; ++i)
+    {
+      group.result.curves.push_back({Tightening_verdict::DEGENERATE, {}, 0});
+      Settled_curve& settled = group.result.curves.back();
+      if(refined[i].is_discarded)
+        continue;
+      const Index c = its_network.add_curve(i);
+      std::vector<Arc> arcs = arcs_of_curve(pm, refined[i].curve);
+      its_network.set_arcs(c, arcs);
+      settled.verdict = settler.settle(c);
+      settled.band_width = settler.band_width();
+      settled.arcs = arcs_of_curve(its_network, c);
+      its_network.remove(c);
+    }
+    group.result.leaks = settler.number_of_leaks();
+    const std::lock_guard<std::mutex> lock(mutex);
+    on_step(done += group.end - group.begin);
+    return true;
+  });
+
   std::vector<Found_curve> found;
   Distinct_curves distinct(network);
-  for(std::size_t i = 0; i < refined.size(); ++i)
+  for(Group<Settled_curves>& group : in_groups)
   {
-    on_step(i + 1);
-    const std::size_t seeds = refined[i].seeds.size();
-    if(refined[i].is_discarded)
+    statistics.leaky_bands += group.result.leaks;
+    for(std::size_t i = group.begin; i < group.end; ++i)
     {
-      statistics.discarded += seeds;
-      continue;
+      Settled_curve& settled = group.result.curves[i - group.begin];
+      const std::size_t seeds = refined[i].seeds.size();
+      if(refined[i].is_discarded)
+        statistics.discarded += seeds;
+      else if(settled.verdict == Tightening_verdict::DEGENERATE)
+        statistics.degenerate += seeds;
+      else if(settled.verdict == Tightening_verdict::NOT_SIMPLE && !with_not_simple)
+        statistics.not_simple += seeds;
+      else
+      {
+        const Index c = network.add_curve(i);
+        network.set_arcs(c, settled.arcs);
+        if(distinct.insert(c) == c)
+          found.push_back({c, network.length(c), settled.band_width, Certificate()});
+      }
     }
-    const Index c = network.add_curve(i);
-    std::vector<Arc> arcs = arcs_of_curve(network.surface(), refined[i].curve);
-    network.set_arcs(c, arcs);
-    const Tightening_verdict verdict = settler.settle(c);
-    if(verdict == Tightening_verdict::DEGENERATE)
-      statistics.degenerate += seeds;
-    else if(verdict == Tightening_verdict::NOT_SIMPLE && !with_not_simple)
-    {
-      statistics.not_simple += seeds;
-      network.remove(c);
-    }
-    else if(distinct.insert(c) == c)
-      found.push_back({c, network.length(c), settler.band_width(), Certificate()});
   }
   return found;
 }
@@ -92,38 +140,73 @@ inline void merge_coinciding(Curve_network& network, std::vector<Found_curve>& f
   found.swap(kept);
 }
 
-// Certifies curves, drops those that are no constrictions, and merges those that have become the same.
-template <class Exact_settler, class Progress>
-void certify_found(Curve_network& network, Exact_settler& settler, double unit, const std::vector<Refined_curve>& refined,
-                   std::vector<Found_curve>& found, Detection_statistics& statistics, const Progress& on_step)
+// Of a group of curves: their certificates, what they are corrected to, and how many were corrected.
+struct Certified_curves
 {
+  std::vector<Certificate> certificates;
+  std::vector<std::vector<Arc> > arcs;
+  std::size_t corrections = 0;
+};
+
+// Certifies curves, drops those that are no constrictions, and merges those that have become the same. make_settler() makes
+// an Exact_settler. Calls on_step() with the number of curves done.
+template <class ConcurrencyTag, class MakeSettler, class Progress>
+void certify_found(Curve_network& network, const MakeSettler& make_settler, double unit,
+                   const std::vector<Refined_curve>& refined, std::vector<Found_curve>& found,
+                   Detection_statistics& statistics, const Progress& on_step)
+{
+  const std::size_t group_size = 8;
+  auto in_groups = make_groups<Certified_curves>(found.size(), group_size);
+  std::mutex mutex;
+  std::size_t done = 0;
+  CGAL::for_each<ConcurrencyTag>(in_groups, [&](Group<Certified_curves>& group) {
+    Curve_network its_network(network.surface(), false);
+    auto settler = make_settler();
+    for(std::size_t i = group.begin; i < group.end; ++i)
+    {
+      const Index c = its_network.add_curve(i);
+      std::vector<Arc> arcs = arcs_of_curve(network, found[i].curve);
+      its_network.set_arcs(c, arcs);
+      group.result.certificates.push_back(settler.settle(its_network, c));
+      group.result.arcs.push_back(arcs_of_curve(its_network, c));
+      its_network.remove(c);
+    }
+    group.result.corrections = settler.number_of_corrections();
+    const std::lock_guard<std::mutex> lock(mutex);
+    on_step(done += group.end - group.begin);
+    return true;
+  });
+
   Distinct_curves distinct(network);
   std::vector<Found_curve> certified;
-  for(std::size_t i = 0; i < found.size(); ++i)
+  for(Group<Certified_curves>& group : in_groups)
   {
-    Found_curve f = found[i];
-    f.certificate = settler.settle(network, f.curve);
-    statistics.signs = statistics.signs + f.certificate.signs;
-    on_step(i + 1);
-    if(f.certificate.is_certified())
+    statistics.corrected += group.result.corrections;
+    for(std::size_t i = group.begin; i < group.end; ++i)
     {
-      f.length = network.length(f.curve);
-      f.band_width = f.certificate.flat_band_width / unit;
-      if(distinct.insert(f.curve) == f.curve)
-        certified.push_back(f);
-      continue;
+      Found_curve f = found[i];
+      f.certificate = group.result.certificates[i - group.begin];
+      statistics.signs = statistics.signs + f.certificate.signs;
+      network.set_arcs(f.curve, group.result.arcs[i - group.begin]);
+      if(f.certificate.is_certified())
+      {
+        f.length = network.length(f.curve);
+        f.band_width = f.certificate.flat_band_width / unit;
+        if(distinct.insert(f.curve) == f.curve)
+          certified.push_back(f);
+        continue;
+      }
+      std::size_t seeds = 0;
+      for(std::size_t r : network.curve(f.curve).seeds)
+        seeds += refined[r].seeds.size();
+      const Certificate_verdict verdict = f.certificate.verdict;
+      (network.is_empty(f.curve) ? statistics.degenerate
+       : verdict == Certificate_verdict::CROSSES_ITSELF || verdict == Certificate_verdict::TOUCHES_ITSELF
+           ? statistics.not_simple
+           : statistics.not_certified) += seeds;
+      network.remove(f.curve);
     }
-    std::size_t seeds = 0;
-    for(std::size_t r : network.curve(f.curve).seeds)
-      seeds += refined[r].seeds.size();
-    const Certificate_verdict verdict = f.certificate.verdict;
-    (network.is_empty(f.curve) ? statistics.degenerate
-     : verdict == Certificate_verdict::CROSSES_ITSELF || verdict == Certificate_verdict::TOUCHES_ITSELF
-         ? statistics.not_simple
-         : statistics.not_certified) += seeds;
-    network.remove(f.curve);
   }
-  statistics.corrected = settler.number_of_corrections();
   found.swap(certified);
 }
 

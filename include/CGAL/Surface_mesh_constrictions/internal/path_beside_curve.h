@@ -32,6 +32,15 @@ inline void remove_spurs(std::vector<Index>& path)
   path.assign(kept.begin() + static_cast<std::ptrdiff_t>(begin), kept.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
+// The vertices that a closed curve passes: its pivots, and an end of each edge that it crosses, the same on the same side.
+inline std::vector<Index> vertices_passed(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
+{
+  std::vector<Index> vertices;
+  for(const Trace_point& p : trace)
+    vertices.push_back(p.is_pivot() ? p.pivot : pm.target(p.halfedge));
+  return vertices;
+}
+
 // The closed path of edges beside a closed curve: each crossing is moved to the nearer end of its edge. Fewer than three
 // vertices if the path shrinks to a point or an edge forth and back. Linear.
 inline std::vector<Index> path_beside_curve(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)

@@ -4,12 +4,14 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Barrier_search.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightening_basins.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
 #include <algorithm>
@@ -99,27 +101,25 @@ constexpr double coarse_length_tolerance = 0.1;
 
 // Measures what lies between closed geodesics on a coarse level, of those that are there: where tightening leads to a
 // simple closed geodesic of about the same length. Curves that are the same there have no barrier between them: the
-// shortest dominates the others. Returns for each curve whether it is not there; then nothing is written for it.
-inline std::vector<bool> add_coarse_prominences(const Progressive_mesh& pm, const Level_copy& coarse,
-                                                const std::vector<std::vector<Trace_point> >& traces,
+// shortest dominates the others. Returns for each curve whether it is not there; then nothing is written for it. Curves
+// are given by their lengths and by the vertices of T^0 that they pass.
+inline std::vector<bool> add_coarse_prominences(const Level_copy& coarse, const std::vector<double>& lengths,
+                                                const std::vector<std::vector<Index> >& passed,
                                                 std::vector<Prominence>& result)
 {
   const Progressive_mesh& surface = coarse.surface();
-  std::vector<double> lengths;
-  for(const std::vector<Trace_point>& t : traces)
-    lengths.push_back(length(pm, t));
 
   Curve_network network(surface, false);
-  Tightener tightener(network, Length_unit(surface));
-  tightener.fix_level();
+  const Corner_angles angles(surface);
+  Tightener tightener(network, Length_unit(surface), &angles);
   Tightening_basins basins(network, tightener);
   std::vector<std::vector<Trace_point> > on_coarse;
   std::vector<Index> curves; // those that are there
   std::unordered_map<Index, Index> first_in_network; // of those, by what they are there
-  std::vector<bool> is_missing(traces.size(), false);
+  std::vector<bool> is_missing(lengths.size(), false);
   for(Index i : by_length(lengths))
   {
-    const std::vector<Index> path = coarse.path(pm, traces[i]);
+    const std::vector<Index> path = coarse.path(passed[i]);
     const Index end = path.size() < 3 ? null_index : basins.tighten(network.add_curve(i, path));
     const auto known = end == null_index ? first_in_network.end() : first_in_network.find(end);
     if(known != first_in_network.end())
@@ -159,7 +159,14 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Lev
                                            const std::vector<std::vector<Trace_point> >& traces)
 {
   std::vector<Prominence> result(traces.size());
-  const std::vector<bool> is_missing = add_coarse_prominences(pm, coarse, traces, result);
+  std::vector<double> lengths;
+  std::vector<std::vector<Index> > passed;
+  for(const std::vector<Trace_point>& t : traces)
+  {
+    lengths.push_back(length(pm, t));
+    passed.push_back(vertices_passed(pm, t));
+  }
+  const std::vector<bool> is_missing = add_coarse_prominences(coarse, lengths, passed, result);
   if(std::find(is_missing.begin(), is_missing.end(), true) != is_missing.end())
     add_prominences(pm, traces, is_missing, result);
   return result;

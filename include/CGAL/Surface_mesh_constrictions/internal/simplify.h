@@ -7,12 +7,17 @@
 #include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify_in_blocks.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface_mesh_from_corner_table.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cstddef>
+#include <numeric>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -56,18 +61,44 @@ struct Optional_stop_predicate
   }
 };
 
+// How a large mesh is simplified before it is simplified as a whole.
+struct Block_simplification
+{
+  std::size_t whole_faces = 65536;  // a surface of no more faces is simplified as a whole
+  std::size_t block_faces = 16384;  // of a block
+  double share = 0.25;              // of the edges inside a block that are left
+};
+
 // Simplifies a copy of the mesh as far as CGAL's edge_collapse() goes, or to the first non-face triangle that it meets,
-// and returns what was done. O(n log n).
-template <class ImportedMesh, class Policies, class Visitor>
+// and returns what was done. With blocks, a surface of many faces is first simplified in parts. O(n log n), and with
+// blocks nearly linear.
+template <class ConcurrencyTag, class ImportedMesh, class Policies, class Visitor>
 Collapse_record simplify(const ImportedMesh& imported, const Policies& make_policies, bool with_refused_seeds,
-                         bool first_only, const Visitor& visitor)
+                         bool first_only, const std::optional<Block_simplification>& in_blocks, const Visitor& visitor)
 {
   Collapse_record record;
-  Simplification_mesh copy;
-  surface_mesh_from_corner_table(imported.table, imported.points, copy);
   record.collapses.reserve(imported.points.size());
+  Partial_surface rest; // of the blocks; empty before the first round
+  const Corner_table* table = &imported.table;
+  const std::vector<Partial_surface::Point>* points = &imported.points;
+  std::vector<Index> vertices(points->size());
+  std::iota(vertices.begin(), vertices.end(), Index(0));
+  const auto on_step = [&visitor](std::size_t done) { visitor.on_step(Detection_stage::SIMPLIFICATION, done); };
+  for(std::size_t faces = table->source.size() / 3, faces_before = faces + 1;
+      in_blocks && faces > in_blocks->whole_faces && faces < faces_before && !has_edge_of_length_zero(*table, *points);)
+  {
+    rest = simplify_blocks<ConcurrencyTag>(*table, *points, vertices, in_blocks->block_faces, in_blocks->share,
+                                           make_policies, with_refused_seeds, record, on_step);
+    table = &rest.table;
+    points = &rest.points;
+    vertices = rest.vertices;
+    faces_before = faces;
+    faces = table->source.size() / 3;
+  }
 
-  const auto vim = get(boost::vertex_index, copy);
+  Simplification_mesh copy;
+  surface_mesh_from_corner_table(*table, *points, copy);
+  const auto vim = boost::make_iterator_property_map(vertices.begin(), get(boost::vertex_index, copy));
   const Reporting_visitor<std::decay_t<decltype(vim)>, Visitor> recorder(record, vim, with_refused_seeds, visitor);
   const auto policies = make_policies(copy);
   Surface_mesh_simplification::edge_collapse(copy, Optional_stop_predicate{first_only},

@@ -15,7 +15,9 @@ namespace internal {
 
 // Writes a connected mesh into the empty mesh sm: vertices and faces keep their numbers, edges are numbered in the
 // order in which the faces show them, and the halfedge of face f starts at the first corner of f. Isolated vertices
-// keep their number too, but are marked as removed. Ten times as fast as add_face(), which has to search.
+// keep their number too, but are marked as removed. The table may have a border, where `opposite` is null_index; all fans
+// of faces at a vertex of the border are linked, so that what is around the vertex is found from any of them. Linear, and
+// ten times as fast as add_face(), which has to search.
 template <class Point, class PointRange>
 void surface_mesh_from_corner_table(const Corner_table& table, const PointRange& points, CGAL::Surface_mesh<Point>& sm)
 {
@@ -35,7 +37,8 @@ void surface_mesh_from_corner_table(const Corner_table& table, const PointRange&
     if(h < table.opposite[h])
     {
       halfedge[h] = sm.add_edge();
-      halfedge[table.opposite[h]] = sm.opposite(halfedge[h]);
+      if(table.opposite[h] != null_index)
+        halfedge[table.opposite[h]] = sm.opposite(halfedge[h]);
     }
   for(Index f = 0; f < nh / 3; ++f)
   {
@@ -48,13 +51,38 @@ void surface_mesh_from_corner_table(const Corner_table& table, const PointRange&
     }
     sm.set_halfedge(face, halfedge[3 * f]);
   }
+
+  for(Index h = 0; h < nh; ++h)
+  {
+    if(table.opposite[h] != null_index)
+      continue;
+    // the fan of faces at the source of h ends where a border halfedge starts again
+    Index last = Corner_table::prev(h);
+    while(table.opposite[last] != null_index)
+      last = Corner_table::prev(table.opposite[last]);
+    const Halfedge in = sm.opposite(halfedge[h]), out = sm.opposite(halfedge[last]);
+    const Vertex v(table.source[h]);
+    sm.set_target(in, v);
+    const Halfedge of_other_fan = sm.halfedge(v);
+    if(of_other_fan == Mesh::null_halfedge())
+    {
+      sm.set_next(in, out);
+      sm.set_halfedge(v, in);
+    }
+    else
+    {
+      sm.set_next(in, sm.next(of_other_fan));
+      sm.set_next(of_other_fan, out);
+    }
+  }
   for(std::size_t v = 0; v < nv; ++v)
   {
     const Index h = table.outgoing[v];
-    if(h != null_index)
-      sm.set_halfedge(Vertex(static_cast<Index>(v)), halfedge[table.opposite[h]]);
-    else
-      sm.remove_vertex(Vertex(static_cast<Index>(v)));
+    const Vertex vertex(static_cast<Index>(v));
+    if(h == null_index)
+      sm.remove_vertex(vertex);
+    else if(sm.halfedge(vertex) == Mesh::null_halfedge())
+      sm.set_halfedge(vertex, halfedge[table.opposite[h]]);
   }
 }
 
