@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the build, the tests and the demonstration need, from Debian's packages (Debian 12 and 13).
 #
-#   scripts/setup.sh
+#   scripts/setup.sh [PACKAGE...]      and these packages besides
 set -euo pipefail
 
 packages=(
@@ -24,6 +24,7 @@ packages=(
   python3-numpy
   python3-scipy
   slurm-wlm
+  "$@"
 )
 
 is_installed() {

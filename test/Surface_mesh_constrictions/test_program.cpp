@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_program {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -376,4 +376,4 @@ TEST_F(Program, unwritable_outputs)
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
-} // namespace
+} // namespace test_program

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_program_segment {
 
 namespace fs = std::filesystem;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -178,4 +178,4 @@ TEST_F(Segment, what_cannot_be_read_or_written)
   expect_failure(3, "segment dumbbell.off -o taken", {"parts.ply", "is a folder"});
 }
 
-} // namespace
+} // namespace test_program_segment

@@ -175,10 +175,9 @@ int certify(const Options& options)
   return 1;
 }
 
-// What `detect` finds in a mesh. With one thread: where there are many meshes there are as many processes as are wanted.
+// What `detect` finds in a mesh.
 Report detection(const Options& options, const std::string& mesh)
 {
-  const Thread_limit thread_limit(1);
   Report report;
   report.mesh_file = mesh;
   report.mesh = read_mesh_file(mesh, report.is_turned);
@@ -227,15 +226,17 @@ int main(int argc, char** argv)
     return *exit_code;
   try
   {
-    if(options.command == constrictions::Command::BATCH)
-    {
-      constrictions::run_batch(
-          options, [&options](const std::string& mesh) { return constrictions::detection(options, mesh); });
-      return 0;
-    }
     const constrictions::Thread_limit thread_limit(options.threads);
     if(options.command == constrictions::Command::CERTIFY)
       return constrictions::certify(options);
+    if(options.command == constrictions::Command::BATCH)
+    {
+      constrictions::run_batch(options, [&options](const std::string& mesh) {
+        const constrictions::Thread_limit one_thread(1); // several meshes are gone through at a time
+        return constrictions::detection(options, mesh);
+      });
+      return 0;
+    }
     constrictions::run(options);
     return 0;
   }

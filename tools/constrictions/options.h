@@ -67,8 +67,8 @@ struct Options
   Search search;
   Selection selection;
   Segmentation segmentation;
-  Batch batch;
   std::optional<std::size_t> threads; ///< at most
+  Batch batch;
   bool quiet = false;
 
   bool prints_json() const { return json == "-"; }

@@ -35,7 +35,7 @@ public:
   }
 
   // Writes the loops of the given number of levels, at equal distances from the least value to the greatest. Values
-  // are given by number in the graph; those that are not finite are above all levels. O(faces) for each level.
+  // are given by number in the graph; those that are not finite are above all levels. O(faces), plus the loops.
   template <class OutputIterator>
   OutputIterator cut(const Edge_graph& graph, const std::vector<double>& values, std::size_t levels, OutputIterator out)
   {
@@ -55,20 +55,35 @@ public:
     for(Index f : m_faces)
       m_greatest[f] = (std::max)({value(3 * f), value(3 * f + 1), value(3 * f + 2)});
 
+    const double step = (greatest - least) / static_cast<double>(levels);
+    const auto level = [&](std::size_t i) {
+      return least + (greatest - least) * ((static_cast<double>(i) + 0.5) / static_cast<double>(levels));
+    };
+    m_boundary.resize(levels);
+    for(std::vector<Index>& halfedges : m_boundary)
+      halfedges.clear();
+    for(Index f : m_faces)
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const double low = m_greatest[f], high = m_greatest[m_pm.face(m_pm.opposite(h))];
+        if(!(low < high))
+          continue;
+        std::size_t i = low <= level(0) ? 0 : static_cast<std::size_t>((low - least) / step - 0.5);
+        while(i < levels && level(i) < low)
+          ++i;
+        for(; i < levels && level(i) < high; ++i)
+          m_boundary[i].push_back(h);
+      }
     for(std::size_t i = 0; i < levels; ++i)
     {
-      const double level =
-          least + (greatest - least) * ((static_cast<double>(i) + 0.5) / static_cast<double>(levels));
       ++m_stamp;
-      for(Index f : m_faces)
-        if(m_greatest[f] <= level)
-          for(Index h = 3 * f; h < 3 * f + 3; ++h)
-            if(m_stamps[h] != m_stamp && m_greatest[m_pm.face(m_pm.opposite(h))] > level)
-            {
-              walk(h, level);
-              if(m_loop.size() > 2 && m_known.insert(m_loop).second)
-                *out++ = Seed_curve{m_pm.level(), m_loop, Seed_origin::SECTION};
-            }
+      for(Index h : m_boundary[i])
+        if(m_stamps[h] != m_stamp)
+        {
+          walk(h, level(i));
+          if(m_loop.size() > 2 && m_known.insert(m_loop).second)
+            *out++ = Seed_curve{m_pm.level(), m_loop, Seed_origin::SECTION};
+        }
     }
     return out;
   }
@@ -100,6 +115,7 @@ private:
   std::vector<std::size_t> m_stamps; // of halfedges: the last walk along them
   std::vector<double> m_values; // of vertices, by id
   std::size_t m_stamp = 0;
+  std::vector<std::vector<Index> > m_boundary; // by level: halfedges of faces that are not above it, next to faces that are
   std::vector<Index> m_loop;
   std::unordered_set<std::vector<Index>, boost::hash<std::vector<Index> > > m_known;
 };
