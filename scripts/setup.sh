@@ -8,6 +8,7 @@ packages=(
   build-essential
   ca-certificates
   cmake
+  doxygen
   libbenchmark-dev
   libcgal-dev
   libcli11-dev

@@ -29,12 +29,20 @@ struct Detection_statistics
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The stages of `detect_constrictions()`, in order. With several simplification policies the first three are repeated.
-enum class Detection_stage { SIMPLIFICATION, SEEDS, REFINEMENT, TIGHTENING, CERTIFICATION, SELECTION };
+enum class Detection_stage
+{
+  SIMPLIFICATION, ///< edge collapses
+  SEEDS,          ///< the search for seed curves on each level
+  REFINEMENT,     ///< vertex splits, with early merging
+  TIGHTENING,     ///< of the curves that have arrived on the input
+  CERTIFICATION,  ///< of the distinct closed geodesics, and what else is known of each
+  SELECTION       ///< prominences, and selection by them
+};
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Visitor of `detect_constrictions()` whose callbacks do nothing: derive from it and hide what you need.
-/// The visitor is copied: let it point to what it changes. With `Parallel_tag` it is called by different threads, but by one at
-/// a time.
+///
+/// \cgalModels{ConstrictionDetectionVisitor}
 struct Detection_visitor_base
 {
   /// called when a stage begins that takes `steps` steps: edge collapses expected, levels, or curves

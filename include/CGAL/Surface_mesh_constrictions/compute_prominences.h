@@ -146,6 +146,7 @@ std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \return the output iterator, past the last element that was written
 /// \throws Invalid_input for a mesh that cannot be used
 /// \cost linear in the size of the mesh, plus, for each curve, O(m log m) for the m faces that are swept
 ///
