@@ -17,6 +17,7 @@ cmake -S "$project" -B "$build" -DCMAKE_BUILD_TYPE=Release -DWITH_TESTS=OFF -DWI
 cmake --build "$build" --parallel "$(nproc)" --target constrictions
 
 "$build/tools/constrictions/constrictions" detect "$meshes/armadillo.off" -o "$results"
+"$build/tools/constrictions/constrictions" view "$meshes/armadillo.off" -o "$results/armadillo.html" --quiet || true
 echo
 echo "The constrictions of $meshes/armadillo.off are in"
 find "$results" -type f | sort

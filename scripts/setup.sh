@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs what the build, the tests and the demonstration need, from Debian's packages (Debian 12 and 13).
+# Installs what the build, the tests and the demonstration need, from Debian's packages (Debian 12 and 13). Where the
+# packages for the viewer cannot be had the program is built, or tested, without it.
 #
-#   scripts/setup.sh
+#   scripts/setup.sh [PACKAGE...]      and these packages besides
 set -euo pipefail
 
 packages=(
@@ -18,10 +19,14 @@ packages=(
   libmpfr-dev
   libopenmesh-dev
   libtbb-dev
+  munge
   nlohmann-json3-dev
+  parallel
   python3
   python3-numpy
   python3-scipy
+  slurm-wlm
+  "$@"
 )
 
 is_installed() {
@@ -32,7 +37,13 @@ missing=()
 for package in "${packages[@]}"; do
   is_installed "$package" || missing+=("$package")
 done
-if [ ${#missing[@]} -eq 0 ]; then
+
+# Programs, which may come from elsewhere. Debian's npm needs Debian's nodejs.
+missing_for_viewer=()
+command -v npm > /dev/null || missing_for_viewer+=(nodejs npm)
+command -v chromium > /dev/null || missing_for_viewer+=(chromium)
+
+if [ ${#missing[@]} -eq 0 ] && [ ${#missing_for_viewer[@]} -eq 0 ]; then
   echo "All packages are installed."
   exit 0
 fi
@@ -46,6 +57,12 @@ apt_get() {
     < /dev/null
 }
 
-echo "Installing: ${missing[*]}"
+echo "Installing: ${missing[*]} ${missing_for_viewer[*]}"
 apt_get update --quiet=2
-apt_get install --quiet=2 --yes --no-install-recommends "${missing[@]}"
+if [ ${#missing[@]} -gt 0 ]; then
+  apt_get install --quiet=2 --yes --no-install-recommends "${missing[@]}"
+fi
+if [ ${#missing_for_viewer[@]} -gt 0 ]; then
+  apt_get install --quiet=2 --yes --no-install-recommends "${missing_for_viewer[@]}" ||
+    echo "Not installed: ${missing_for_viewer[*]}. The viewer is left out, or not tested." >&2
+fi

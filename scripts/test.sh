@@ -1,24 +1,58 @@
 #!/usr/bin/env bash
-# Builds everything and runs all tests. The last line is ctest's summary, the exit code is ctest's.
+# Builds the given configurations and runs their tests together. The last line is ctest's summary, the exit code is
+# ctest's.
 #
-#   scripts/test.sh [PRESET]        one of CMakePresets.json; release if none is given
+#   scripts/test.sh [PRESET[:curves]...]    presets of CMakePresets.json; release if none is given
 #
-# If CGAL_DIR is set, that CGAL is used instead of the installed one.
+# Everything is built and tested; the headers are compiled on their own in the first configuration only. With `:curves`
+# only two things are tested: that the combinatorial curves of real meshes are those of every other configuration, and
+# that a project can use the installed package.
+#
+# If CGAL_DIR is set, that CGAL is used instead of the installed one, or of Debian's CGAL 6 by a preset named for it.
 set -euo pipefail
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-preset=${1:-release}
-build="$project/build/$preset"
-log="$build/ctest.log"
+configurations=("$@")
+if [ $# -eq 0 ]; then
+  configurations=(release)
+fi
+jobs=$(nproc)
+log="$project/build/ctest.log"
 
 "$project/scripts/setup.sh"
+if [[ ${configurations[*]} == *clang* ]]; then
+  "$project/scripts/setup.sh" clang
+  clang_version=$(clang++ -dumpversion)
+  "$project/scripts/setup.sh" "libclang-rt-${clang_version%%.*}-dev"
+fi
 "$project/scripts/fetch_meshes.sh" "$project/data/meshes"
 
 cd "$project"
-cmake --preset "$preset" -DWITH_BENCHMARKS=ON ${CGAL_DIR:+"-DCGAL_DIR=$CGAL_DIR"}
-cmake --build --preset "$preset" --parallel "$(nproc)"
+mkdir -p build
+names=()
+checks_headers=ON
+for configuration in "${configurations[@]}"; do
+  preset=${configuration%:curves}
+  options=(-DWITH_UNITY_TESTS=ON "-DCONSTRICTIONS_TEST_PREFIX=$preset.")
+  if [ "$preset" = "$configuration" ]; then
+    options+=(-DWITH_BENCHMARKS=ON "-DWITH_HEADER_CHECK=$checks_headers")
+    checks_headers=OFF
+  else
+    options+=(-DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_TEST_PROGRAMS=OFF -DWITH_HEADER_CHECK=OFF)
+  fi
+  if [ -n "${CGAL_DIR:-}" ]; then
+    options+=("-DCGAL_DIR=$CGAL_DIR")
+  elif [[ $preset == *cgal6* ]]; then
+    scripts/fetch_cgal.sh trixie build/cgal6
+  fi
+  cmake --preset "$preset" "${options[@]}"
+  cmake --build --preset "$preset" --parallel "$jobs"
+  names+=("$preset")
+done
 
+# One run of ctest over all of them.
+printf 'subdirs("%s")\n' "${names[@]}" > build/CTestTestfile.cmake
 status=0
-ctest --preset "$preset" --parallel "$(nproc)" --output-log "$log" || status=$?
+ctest --test-dir build --output-on-failure --no-tests=error --parallel "$jobs" --output-log "$log" || status=$?
 grep -E 'tests passed|No tests were found' "$log" | tail -n 1
 exit "$status"

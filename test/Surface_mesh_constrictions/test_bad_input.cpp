@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_bad_input {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using SMC::Index;
@@ -202,4 +202,4 @@ TEST(Good_input, TheInputIsNotChanged)
   }
 }
 
-} // namespace
+} // namespace test_bad_input

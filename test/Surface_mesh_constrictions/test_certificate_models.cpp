@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_certificate_models {
 
 using namespace CGAL::Surface_mesh_constrictions;
 using exact_models::Position;
@@ -362,4 +362,4 @@ TEST(CertificateModels, BorderAndPolygonsAreReported)
   }
 }
 
-} // namespace
+} // namespace test_certificate_models

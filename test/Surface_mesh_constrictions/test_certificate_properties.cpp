@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_certificate_properties {
 
 using namespace CGAL::Surface_mesh_constrictions;
 using exact_models::Position;
@@ -297,4 +297,4 @@ TEST(ExactSimplicity, NarrowlyParallelLinesAreSortedOnEveryEdge)
             Certificate_verdict::CROSSES_ITSELF);
 }
 
-} // namespace
+} // namespace test_certificate_properties

@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_certificate_real_meshes {
 
 using namespace CGAL::Surface_mesh_constrictions;
 using test_meshes::Mesh;
@@ -270,4 +270,4 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
 INSTANTIATE_TEST_SUITE_P(Certificates, GenusZero,
                          ::testing::Values("cactus", "bull", "cow", "hand", "homer", "dino", "triceratops", "camel"));
 
-} // namespace
+} // namespace test_certificate_real_meshes

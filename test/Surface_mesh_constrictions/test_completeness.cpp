@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_completeness {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using enumerate_constrictions::Constriction;
@@ -196,4 +196,4 @@ TEST_F(Completeness, WhatIsDetectedIsKnownAndMostOfWhatIsProminentIsDetected)
   EXPECT_GE(m_all.ratio(), 0.4);
 }
 
-} // namespace
+} // namespace test_completeness

@@ -19,7 +19,7 @@
 #include <tuple>
 #include <vector>
 
-namespace {
+namespace test_detection {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace SMS = CGAL::Surface_mesh_simplification;
@@ -361,4 +361,4 @@ TEST(Detection, FaceLocationsAreThePoints)
   }
 }
 
-} // namespace
+} // namespace test_detection

@@ -21,7 +21,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace test_exact_arithmetic {
 
 using namespace CGAL::Surface_mesh_constrictions;
 using namespace CGAL::Surface_mesh_constrictions::internal;
@@ -284,4 +284,4 @@ TEST(AngleSum, AgreesWithTheSumOfTheAngles)
   }
 }
 
-} // namespace
+} // namespace test_exact_arithmetic

@@ -5,7 +5,7 @@
 
 #include "include/same_curves.h"
 
-namespace {
+namespace test_generic_openmesh {
 
 struct Double_traits
   : public OpenMesh::DefaultTraits
@@ -37,4 +37,4 @@ TEST(Generic, OpenMeshGivesTheSameCurves)
   }
 }
 
-} // namespace
+} // namespace test_generic_openmesh

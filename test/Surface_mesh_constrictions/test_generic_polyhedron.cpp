@@ -3,11 +3,11 @@
 
 #include <CGAL/Polyhedron_3.h>
 
-namespace {
+namespace test_generic_polyhedron {
 
 TEST(Generic, PolyhedronGivesTheSameCurves)
 {
   same_curves::expect_same_curves<CGAL::Polyhedron_3<test_meshes::Kernel> >();
 }
 
-} // namespace
+} // namespace test_generic_polyhedron

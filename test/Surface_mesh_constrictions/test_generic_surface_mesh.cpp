@@ -4,7 +4,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
-namespace {
+namespace test_generic_surface_mesh {
 
 TEST(Generic, SurfaceMeshOfSimpleCartesianPointsGivesTheSameCurves)
 {
@@ -50,4 +50,4 @@ TEST(Generic, GarbageInASurfaceMeshDoesNotMatter)
             same_curves::detect(test_meshes::make_mesh(soup), CGAL::parameters::default_values()));
 }
 
-} // namespace
+} // namespace test_generic_surface_mesh

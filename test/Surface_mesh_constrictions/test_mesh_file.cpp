@@ -23,7 +23,7 @@
 
 #include <unistd.h>
 
-namespace {
+namespace test_mesh_file {
 
 using CGAL::Surface_mesh_constrictions::Input_defect;
 using CGAL::Surface_mesh_constrictions::Invalid_input;
@@ -645,4 +645,4 @@ TEST_F(Mesh_file, loops)
     }
 }
 
-} // namespace
+} // namespace test_mesh_file

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_near {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace params = CGAL::Surface_mesh_constrictions::parameters;
@@ -246,4 +246,4 @@ TEST(Near, RepresentativesFollowTheMerges)
     EXPECT_EQ(pm.representative(v), v);
 }
 
-} // namespace
+} // namespace test_near

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_paper_figures {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using SMC::Index;
@@ -209,4 +209,4 @@ TEST_P(Paper_figures, TwistedCylinderShowsItsFirstSeedAfterFourCollapsesAndTheLa
 INSTANTIATE_TEST_SUITE_P(Schedules, Paper_figures,
                          testing::Values(SMC::Tightening_schedule::EVERY_LEVEL, SMC::Tightening_schedule::AT_THE_END));
 
-} // namespace
+} // namespace test_paper_figures

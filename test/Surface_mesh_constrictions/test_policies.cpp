@@ -19,7 +19,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_policies {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace SMS = CGAL::Surface_mesh_simplification;
@@ -149,4 +149,4 @@ TEST(Policies, VisitorRecordsZeroLengthEdgesToo)
   }
 }
 
-} // namespace
+} // namespace test_policies

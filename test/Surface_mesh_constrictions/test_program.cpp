@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_program {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -139,8 +139,9 @@ TEST_F(Program, output_folder)
   EXPECT_EQ(r.out, "");
   EXPECT_EQ(r.err, "");
   EXPECT_EQ(files(), (std::set<fs::path>{"dumbbell.off", "tetrahedron.off", "deep", "deep/results",
-                                         "deep/results/constrictions.json",
-                                         "deep/results/constrictions.polylines.txt"}));
+                                         "deep/results/constrictions.json", "deep/results/constrictions.ply",
+                                         "deep/results/constrictions.polylines.txt",
+                                         "deep/results/constrictions.vtp"}));
   const json j = json::parse(content("deep/results/constrictions.json"));
   const json& points = j.at("constrictions").at(0).at("points");
 
@@ -344,6 +345,8 @@ TEST_F(Program, wrong_usage)
   expect_wrong_usage("detect dumbbell.off --json dumbbell.off");
   expect_wrong_usage("detect dumbbell.off --json a.txt --polylines ./a.txt");
   expect_wrong_usage("detect dumbbell.off -o . --polylines constrictions.json");
+  write("constrictions.ply", dumbbell().off());
+  expect_wrong_usage("detect constrictions.ply -o .");
 }
 
 TEST_F(Program, help_and_version)
@@ -376,4 +379,4 @@ TEST_F(Program, unwritable_outputs)
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
-} // namespace
+} // namespace test_program

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_program_certify {
 
 using nlohmann::json;
 using program_fixture::Cubes;
@@ -385,4 +385,4 @@ TEST_F(Certify, wrong_usage)
   expect_wrong_usage("detect dumbbell.off --curves curves.json");
 }
 
-} // namespace
+} // namespace test_program_certify

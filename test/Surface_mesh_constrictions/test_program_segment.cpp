@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_program_segment {
 
 namespace fs = std::filesystem;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -43,7 +43,7 @@ protected:
     EXPECT_EQ(j.at("format"), "constrictions-parts/1");
     EXPECT_EQ(j.at("face_parts").size(), j.at("mesh").at("faces"));
 
-    std::set<fs::path> expected = {"parts/parts.json", "parts/parts.ply"}, found;
+    std::set<fs::path> expected = {"parts/parts.json", "parts/parts.ply", "parts/parts.vtp"}, found;
     double area = 0;
     for(const json& p : j.at("parts"))
     {
@@ -160,7 +160,7 @@ TEST_F(Segment, wrong_usage)
       {"segment dumbbell.off", "segment -o parts", "segment dumbbell.off -o parts --parts 0",
        "segment dumbbell.off -o parts --side mixed", "segment dumbbell.off -o parts --json parts.json"})
     expect_wrong_usage(arguments);
-  for(const char* name : {"parts.ply", "part_0.ply", "part_12.ply"})
+  for(const char* name : {"parts.ply", "parts.vtp", "part_0.ply", "part_12.ply"})
   {
     write(name, program_fixture::tetrahedron);
     expect_wrong_usage(std::string("segment ") + name + " -o .");
@@ -178,4 +178,4 @@ TEST_F(Segment, what_cannot_be_read_or_written)
   expect_failure(3, "segment dumbbell.off -o taken", {"parts.ply", "is a folder"});
 }
 
-} // namespace
+} // namespace test_program_segment

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace {
+namespace test_progressive_mesh {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace SMS = CGAL::Surface_mesh_simplification;
@@ -170,4 +170,4 @@ TEST(Progressive_mesh, ACollapseTakesAtMost96Bytes)
   EXPECT_GE(Progressive_mesh::bytes_per_collapse(), sizeof(Progressive_mesh::Point) + sizeof(Index));
 }
 
-} // namespace
+} // namespace test_progressive_mesh

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_prominence {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using test_meshes::Mesh;
@@ -184,4 +184,4 @@ TEST(Prominence, LevelSetsOfATriangleAreMeasuredExactly)
   }
 }
 
-} // namespace
+} // namespace test_prominence

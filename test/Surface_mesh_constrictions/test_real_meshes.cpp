@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_real_meshes {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using test_meshes::Mesh;
@@ -79,4 +79,4 @@ TEST(Real_meshes, ConvexOnesHaveNone)
     EXPECT_TRUE(detect(name).empty()) << name;
 }
 
-} // namespace
+} // namespace test_real_meshes

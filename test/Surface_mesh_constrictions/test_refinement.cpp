@@ -16,7 +16,7 @@
 #include <iterator>
 #include <vector>
 
-namespace {
+namespace test_refinement {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace SMS = CGAL::Surface_mesh_simplification;
@@ -187,4 +187,4 @@ TEST_P(Refinement, WithoutSeedsTheMeshIsRewound)
 INSTANTIATE_TEST_SUITE_P(Schedules, Refinement,
                          testing::Values(Tightening_schedule::EVERY_LEVEL, Tightening_schedule::AT_THE_END));
 
-} // namespace
+} // namespace test_refinement

@@ -19,7 +19,7 @@
 #include <iterator>
 #include <vector>
 
-namespace {
+namespace test_seed_merging {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace SMS = CGAL::Surface_mesh_simplification;
@@ -146,4 +146,4 @@ TEST(CarrySeedCurves, HandsOnEverySeedOnceWithAndWithoutTighteningOnTheWay)
   }
 }
 
-} // namespace
+} // namespace test_seed_merging

@@ -18,7 +18,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_seed_sources {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using SMC::Index;
@@ -321,4 +321,4 @@ TEST(SeedSources, ConvexSurfacesHaveNoConstriction)
   }
 }
 
-} // namespace
+} // namespace test_seed_sources

@@ -17,7 +17,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_seeds {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace SMS = CGAL::Surface_mesh_simplification;
@@ -128,4 +128,4 @@ TEST(Seeds, ARefusedCollapseGivesNonFaceTrianglesOfItsLevelEachOnce)
   }
 }
 
-} // namespace
+} // namespace test_seeds

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_segmentation {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -353,4 +353,4 @@ TEST(Segmentation, WhatIsNoClosedCurveIsRefused)
     }
 }
 
-} // namespace
+} // namespace test_segmentation

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_selection {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace params = CGAL::Surface_mesh_constrictions::parameters;
@@ -212,4 +212,4 @@ TEST(Selection, AnEightHasItsHolesAndItsRings)
   EXPECT_EQ(rings, 4u);
 }
 
-} // namespace
+} // namespace test_selection

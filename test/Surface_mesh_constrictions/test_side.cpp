@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_side {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using test_meshes::Mesh;
@@ -136,4 +136,4 @@ TEST(Side, TheSpannedSurfaceIsOnTheSideOfRealMeshes)
   EXPECT_GE(eight.complement, 1u);
 }
 
-} // namespace
+} // namespace test_side

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_split {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using parts_check::expect_parts;
@@ -279,4 +279,4 @@ TEST(Split_real_meshes, Cactus) { expect_parts_of_file("cactus.off", 4); }
 // The loops through its two holes and the one around both: the front and the back, two pairs of pants.
 TEST(Split_real_meshes, Eight) { expect_parts_of_file("eight.off", 2); }
 
-} // namespace
+} // namespace test_split

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_stability {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace params = CGAL::Surface_mesh_constrictions::parameters;
@@ -177,4 +177,4 @@ TEST(Stability, OfARealMeshInAnotherTriangulation)
   expect_same_necks(necks(dino), necks(finer), 5);
 }
 
-} // namespace
+} // namespace test_stability

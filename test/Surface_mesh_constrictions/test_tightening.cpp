@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_tightening {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using SMC::Index;
@@ -239,4 +239,4 @@ TEST(Tightening, LoopsThatAreNoClosedPathsAreRefused)
     }
 }
 
-} // namespace
+} // namespace test_tightening

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_verification {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using test_meshes::Mesh;
@@ -377,4 +377,4 @@ TEST(Verification, TakesAPolyhedron)
     EXPECT_TRUE(SMC::verify_with_shortest_paths(mesh, c).is_confirmed());
 }
 
-} // namespace
+} // namespace test_verification

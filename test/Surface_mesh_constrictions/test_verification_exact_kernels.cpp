@@ -20,7 +20,7 @@
 #include <iterator>
 #include <vector>
 
-namespace {
+namespace test_verification_exact_kernels {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using test_meshes::Mesh;
@@ -84,4 +84,4 @@ TEST(Verification_exact_square_roots, RefusesAGeodesicLedAroundAVertex)
 }
 #endif
 
-} // namespace
+} // namespace test_verification_exact_kernels

@@ -4,9 +4,11 @@
 
 #include "certificates.h"
 #include "curves_file.h"
+#include "levels.h"
 #include "loops_file.h"
 #include "options.h"
 #include "parts.h"
+#include "playback.h"
 #include "report.h"
 #include "stage_monitor.h"
 
@@ -15,14 +17,15 @@
 namespace constrictions {
 
 /// \name Detection
-/// One function for each policy of the simplification, each in a file of its own: they take long to compile.
+/// One function for each policy of the simplification, each in a file of its own: they take long to compile. If
+/// `levels` is not null it gets the levels of the simplification, unless the search is near a location.
 /// @{
 std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection, const Search& search,
-                                                       Stage_monitor& monitor);
+                                                       Stage_monitor& monitor, Levels* levels);
 std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, const Selection& selection, const Search& search,
-                                                     Stage_monitor& monitor);
+                                                     Stage_monitor& monitor, Levels* levels);
 std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Selection& selection, const Search& search,
-                                                  Stage_monitor& monitor);
+                                                  Stage_monitor& monitor, Levels* levels);
 /// @}
 
 /// tightens the loops; fills the constrictions, the statistics and the remarks of the report.
@@ -33,6 +36,10 @@ std::vector<Certified_curve> certify_curves(const Mesh& mesh, const Curves& curv
 
 /// cuts the mesh along those of the constrictions that are chosen; everything but the time.
 Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constrictions, const Segmentation& segmentation);
+
+/// carries seeds of the constrictions through the levels. `levels` are those that the constrictions were detected with.
+Playback record_playback(const Mesh& mesh, const std::vector<Constriction>& constrictions,
+                         CGAL::Surface_mesh_constrictions::Progressive_mesh levels);
 
 } // namespace constrictions
 

@@ -3,6 +3,7 @@
 #define CONSTRICTIONS_DETECT_AS_ASKED_H
 
 #include "chosen_seed_sources.h"
+#include "levels.h"
 #include "options.h"
 #include "report.h"
 #include "selection_parameters.h"
@@ -19,10 +20,11 @@
 namespace constrictions {
 
 /// the constrictions of the whole mesh, or those near the location asked for. `np` holds the policies of the
-/// simplification and the visitor.
+/// simplification and the visitor. If `levels` is not null, and the whole mesh is searched, it gets the
+/// simplified surface with all its levels.
 template <class NamedParameters>
 std::vector<Constriction> detect_as_asked(const Mesh& mesh, const Selection& selection, const Search& search,
-                                          const NamedParameters& np)
+                                          Levels* levels, const NamedParameters& np)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
 
@@ -38,7 +40,7 @@ std::vector<Constriction> detect_as_asked(const Mesh& mesh, const Selection& sel
   else
     SMC::detect_constrictions<Concurrency>(
         mesh, std::back_inserter(result),
-        SMC::parameters::certify(search.certifies, with_seed_sources(search.triangles_only, selected)));
+        SMC::parameters::certify(search.certifies, with_seed_sources(search.triangles_only, levels, selected)));
   return result;
 }
 

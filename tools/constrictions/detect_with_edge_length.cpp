@@ -9,7 +9,7 @@
 namespace constrictions {
 
 std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Selection& selection, const Search& search,
-                                                  Stage_monitor& monitor)
+                                                  Stage_monitor& monitor, Levels* levels)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
   namespace SMS = CGAL::Surface_mesh_simplification;
@@ -17,7 +17,7 @@ std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Select
   const auto policies = CGAL::parameters::get_cost(SMS::Edge_length_cost<SMC::Simplification_mesh>())
                             .get_placement(SMS::Midpoint_placement<SMC::Simplification_mesh>())
                             .visitor(Monitoring_visitor(monitor));
-  return detect_as_asked(mesh, selection, search, policies);
+  return detect_as_asked(mesh, selection, search, levels, policies);
 }
 
 } // namespace constrictions

@@ -9,7 +9,7 @@
 namespace constrictions {
 
 std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, const Selection& selection, const Search& search,
-                                                     Stage_monitor& monitor)
+                                                     Stage_monitor& monitor, Levels* levels)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
   namespace SMS = CGAL::Surface_mesh_simplification;
@@ -17,7 +17,7 @@ std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, const Sel
   const auto policies = CGAL::parameters::get_cost(SMS::LindstromTurk_cost<SMC::Simplification_mesh>())
                             .get_placement(SMS::LindstromTurk_placement<SMC::Simplification_mesh>())
                             .visitor(Monitoring_visitor(monitor));
-  return detect_as_asked(mesh, selection, search, policies);
+  return detect_as_asked(mesh, selection, search, levels, policies);
 }
 
 } // namespace constrictions

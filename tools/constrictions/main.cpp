@@ -6,11 +6,15 @@
 #include "options.h"
 #include "output_file.h"
 #include "parts.h"
+#include "run_batch.h"
 #include "thread_limit.h"
+#include "view_page.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 
 #include <unistd.h>
+
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <algorithm>
 #include <chrono>
@@ -19,6 +23,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace constrictions {
@@ -40,9 +45,12 @@ void check_outputs(const Options& options)
   if(!options.folder.empty())
     create_folder(options.folder);
   if(options.command == Command::SEGMENT)
-    for(const char* name : {"parts.json", "parts.ply"})
+    for(const char* name : {"parts.json", "parts.ply", "parts.vtp"})
       check_writable(options.file_in_folder(name));
-  for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
+  if(options.command == Command::VIEW)
+    check_writable(options.page);
+  for(const std::vector<std::string>& files :
+      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files()})
     for(const std::string& file : files)
       check_writable(file);
 }
@@ -56,6 +64,10 @@ void write_outputs(const Options& options, const Report& report)
     files.push_back({name, json});
   for(const std::string& name : options.polylines_files())
     files.push_back({name, report_as_polylines(report)});
+  for(const std::string& name : options.ply_files())
+    files.push_back({name, report_as_ply(report)});
+  for(const std::string& name : options.vtp_files())
+    files.push_back({name, report_as_vtp(report)});
   write_files(files);
   if(options.prints_json())
     write_to_standard_output(json);
@@ -63,18 +75,18 @@ void write_outputs(const Options& options, const Report& report)
     write_to_standard_output(report_as_table(report));
 }
 
-void detect(const Options& options, Stage_monitor& monitor, Report& report)
+void detect(const Options& options, const Selection& selection, Stage_monitor& monitor, Report& report, Levels* levels)
 {
   switch(options.policy)
   {
     case Policy::GARLAND_HECKBERT:
-      report.constrictions = detect_with_garland_heckbert(report.mesh, options.selection, options.search, monitor);
+      report.constrictions = detect_with_garland_heckbert(report.mesh, selection, options.search, monitor, levels);
       break;
     case Policy::LINDSTROM_TURK:
-      report.constrictions = detect_with_lindstrom_turk(report.mesh, options.selection, options.search, monitor);
+      report.constrictions = detect_with_lindstrom_turk(report.mesh, selection, options.search, monitor, levels);
       break;
     case Policy::EDGE_LENGTH:
-      report.constrictions = detect_with_edge_length(report.mesh, options.selection, options.search, monitor);
+      report.constrictions = detect_with_edge_length(report.mesh, selection, options.search, monitor, levels);
       break;
   }
   report.statistics = monitor.statistics;
@@ -98,13 +110,36 @@ void write_parts(const Options& options, const Report& report, const Parts& part
 {
   std::vector<Output_file> files = {
       {options.file_in_folder("parts.json"), parts_as_json(report, parts)},
-      {options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)}};
+      {options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)},
+      {options.file_in_folder("parts.vtp"), mesh_as_vtp(parts.mesh, parts.part_of_face)}};
   for(std::size_t p = 0; p < parts.parts.size(); ++p)
     files.push_back({options.file_in_folder(part_file_name(p)),
                      mesh_as_ply(parts.parts[p].mesh, std::vector<std::size_t>(parts.parts[p].mesh.num_faces(), p))});
   write_files(files);
   if(!options.quiet)
     write_to_standard_output(parts_as_table(parts));
+}
+
+double minimum_prominence(const Options& options)
+{
+  return options.selection.all
+             ? 0
+             : options.selection.minimum_prominence.value_or(CGAL::Surface_mesh_constrictions::default_minimum_prominence);
+}
+
+// The curves of a page: the weaker ones of its slider, too.
+Selection selection_for_page(const Options& options)
+{
+  Selection result = options.selection;
+  result.minimum_prominence = (std::min)(minimum_prominence(options), least_prominence_in_page);
+  return result;
+}
+
+void write_page(const Options& options, const Report& report, Levels& levels)
+{
+  const Parts parts = segment_mesh(report.mesh, report.constrictions, options.segmentation);
+  const Playback playback = record_playback(report.mesh, report.constrictions, std::move(levels.value()));
+  write_files({{options.page, view_page(report, parts, playback, minimum_prominence(options))}});
 }
 
 void run(const Options& options)
@@ -119,18 +154,26 @@ void run(const Options& options)
     loops = read_loops_file(options.loops, report.mesh);
   check_outputs(options);
 
+  Levels levels;
   {
     Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
     if(options.command == Command::TIGHTEN)
       tighten(options, loops, monitor, report);
+    else if(options.command == Command::VIEW)
+      detect(options, selection_for_page(options), monitor, report, &levels);
     else
-      detect(options, monitor, report);
+      detect(options, options.selection, monitor, report, nullptr);
     report.seconds.simplify = monitor.seconds(Detection_stage::SIMPLIFICATION);
     report.seconds.seeds = monitor.seconds(Detection_stage::SEEDS);
     report.seconds.refine = monitor.seconds(Detection_stage::REFINEMENT);
     report.seconds.tighten = monitor.seconds(Detection_stage::TIGHTENING);
     report.seconds.certify = monitor.seconds(Detection_stage::CERTIFICATION);
     report.seconds.select = monitor.seconds(Detection_stage::SELECTION);
+  }
+  if(options.command == Command::VIEW)
+  {
+    write_page(options, report, levels);
+    return;
   }
   if(options.command == Command::SEGMENT)
   {
@@ -174,10 +217,22 @@ int certify(const Options& options)
   return 1;
 }
 
+// What `detect` finds in a mesh.
+Report detection(const Options& options, const std::string& mesh)
+{
+  Report report;
+  report.mesh_file = mesh;
+  report.mesh = read_mesh_file(mesh, report.is_turned);
+  Stage_monitor monitor(false);
+  detect(options, options.selection, monitor, report, nullptr);
+  return report;
+}
+
 // The exit code that belongs to the exception being handled, after its message has been shown.
 int report_failure(const Options& options)
 {
   const int unusable_input = 1, unwritable_output = 3;
+  const std::string subject = options.command == Command::BATCH ? "batch" : printable(options.mesh);
   try
   {
     throw;
@@ -193,11 +248,11 @@ int report_failure(const Options& options)
   }
   catch(const std::bad_alloc&)
   {
-    std::cerr << "constrictions: " << printable(options.mesh) << ": not enough memory" << std::endl;
+    std::cerr << "constrictions: " << subject << ": not enough memory" << std::endl;
   }
   catch(const std::exception& e)
   {
-    std::cerr << "constrictions: " << printable(options.mesh) << ": " << printable(e.what()) << std::endl;
+    std::cerr << "constrictions: " << subject << ": " << printable(e.what()) << std::endl;
   }
   return unusable_input;
 }
@@ -211,11 +266,24 @@ int main(int argc, char** argv)
   constrictions::Options options;
   if(const std::optional<int> exit_code = constrictions::parse_options(argc, argv, options))
     return *exit_code;
+  if(options.command == constrictions::Command::VIEW && constrictions::page_template().empty())
+  {
+    std::cerr << "constrictions: view: this program was built without the viewer, which needs npm" << std::endl;
+    return 2;
+  }
   try
   {
     const constrictions::Thread_limit thread_limit(options.threads);
     if(options.command == constrictions::Command::CERTIFY)
       return constrictions::certify(options);
+    if(options.command == constrictions::Command::BATCH)
+    {
+      constrictions::run_batch(options, [&options](const std::string& mesh) {
+        const constrictions::Thread_limit one_thread(1); // several meshes are gone through at a time
+        return constrictions::detection(options, mesh);
+      });
+      return 0;
+    }
     constrictions::run(options);
     return 0;
   }

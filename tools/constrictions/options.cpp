@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -12,7 +13,9 @@
 #include <optional>
 #include <regex>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <thread>
 #include <vector>
 
 namespace constrictions {
@@ -30,15 +33,19 @@ const char* const examples =
     "  constrictions detect bone.ply\n"
     "      prints a table of the constrictions of bone.ply\n"
     "  constrictions detect bone.ply -o result\n"
-    "      writes result/constrictions.json and result/constrictions.polylines.txt\n"
+    "      writes result/constrictions.json, and the curves as polylines, PLY and VTP\n"
     "  constrictions detect hand.ply --near 1.5,0,-2 --max 1\n"
     "      prints the constriction nearest to a place: the loop around a finger\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
     "  constrictions segment bone.ply -o parts --side object\n"
     "      cuts the surface at its necks; writes parts/parts.ply, parts/parts.json and parts/part_0.ply ...\n"
+    "  constrictions view bone.ply -o bone.html\n"
+    "      writes a page that shows the surface with its constrictions and parts; open it in a browser\n"
     "  constrictions certify bone.ply --curves result/constrictions.json\n"
     "      proves with exact arithmetic that the curves are constrictions, or says what is wrong with them\n"
+    "  constrictions batch meshes -o results -j 8 --time-limit 60\n"
+    "      goes through the meshes of a folder, 8 at a time; writes a line of JSON for each into results/results.jsonl\n"
     "\n"
     "Exit codes: 0 done (there may be no constrictions), 1 the input is not a usable mesh, or a curve is not\n"
     "certified, 2 wrong usage, 3 an output could not be written.\n";
@@ -63,8 +70,8 @@ void add_common_options(CLI::App& command, Options& options)
 
   add_mesh(command, options);
   command.add_option("-o", options.folder,
-                     "write constrictions.json and constrictions.polylines.txt into the folder DIR; it is created if "
-                     "missing")
+                     "write constrictions.json, constrictions.polylines.txt, and, for other viewers, constrictions.ply and "
+                     "constrictions.vtp into the folder DIR; it is created if missing")
       ->type_name("DIR")
       ->check(not_empty);
   command.add_option("--json", options.json, "write everything that is known of the curves as JSON; - prints it")
@@ -134,8 +141,8 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
   add_mesh(command, options);
   command
       .add_option("-o", options.folder,
-                  "write parts.ply, the mesh with a colour and a patch number for each face, parts.json, and for each "
-                  "part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing")
+                  "write parts.ply and parts.vtp, the mesh with a colour and a patch number for each face, parts.json, and "
+                  "for each part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing")
       ->type_name("DIR")
       ->required()
       ->check(not_empty);
@@ -153,6 +160,22 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
                             "prove nothing with exact arithmetic: curves rest on rounded numbers");
   command.add_flag("--quiet", options.quiet, "show no progress bar, and print no table");
   command.footer("\nPrints a table of the parts. Of two curves that cross the more prominent one cuts.\n");
+}
+
+void add_view_options(CLI::App& command, Options& options)
+{
+  add_mesh(command, options);
+  command
+      .add_option("-o", options.page,
+                  "write a page that shows the mesh, its parts and constrictions, and how these were found; it needs no "
+                  "other file and no network")
+      ->type_name("FILE.html")
+      ->required()
+      ->check(not_empty);
+  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
+                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+  command.add_flag("--quiet", options.quiet, "show no progress bar");
+  command.footer("\nThe page first shows what detect reports. A slider shows weaker curves, down to a prominence of 0.01.\n");
 }
 
 void add_selection_options(CLI::App& command, Selection& selection)
@@ -220,7 +243,74 @@ bool is_part_file(const std::string& name, const std::string& folder)
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
   return place.parent_path() == fs::weakly_canonical(fs::absolute(folder), error) &&
-         std::regex_match(place.filename().string(), std::regex("parts\\.(ply|json)|part_[0-9]+\\.ply"));
+         std::regex_match(place.filename().string(), std::regex("parts\\.(ply|json|vtp)|part_[0-9]+\\.ply"));
+}
+
+// Two whole numbers with a slash between them, 1 <= I <= N.
+std::optional<Slice> parse_slice(std::string_view text)
+{
+  std::size_t index = 0, count = 0;
+  const char* const end = text.data() + text.size();
+  const std::from_chars_result i = std::from_chars(text.data(), end, index);
+  if(i.ec != std::errc() || i.ptr == end || *i.ptr != '/')
+    return std::nullopt;
+  const std::from_chars_result n = std::from_chars(i.ptr + 1, end, count);
+  if(n.ec != std::errc() || n.ptr != end || index < 1 || index > count)
+    return std::nullopt;
+  return Slice{index - 1, count};
+}
+
+void add_batch_options(CLI::App& command, Options& options)
+{
+  const CLI::Validator is_slice(
+      [](const std::string& text) {
+        return parse_slice(text) ? "" : "give the number of a slice and the number of slices, as in 2/10";
+      },
+      "");
+  const CLI::Validator positive(
+      [](const std::string& text) {
+        double value = 0;
+        return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : "give a number that is greater than 0";
+      },
+      "");
+  Batch& batch = options.batch;
+  batch.limits.processes = (std::max)(1u, std::thread::hardware_concurrency());
+  batch.limits.seconds = 3600;
+
+  command
+      .add_option("INPUT", batch.inputs,
+                  "text file with the name of a mesh on each line (- reads it from the standard input), folder whose "
+                  "OFF, OBJ, PLY and STL files are taken, or mesh")
+      ->type_name("LIST|DIR|MESH ...")
+      ->required()
+      ->check(not_empty);
+  command.add_option("-o", options.folder,
+                     "write the lines into DIR/results.jsonl; meshes that have a line there are passed over")
+      ->type_name("DIR")
+      ->check(not_empty);
+  command.add_option("-j", batch.limits.processes, "go through N meshes at a time; one for each processor if not given")
+      ->type_name("N")
+      ->check(CLI::Range(1, 500).description(""));
+  command.add_option("--time-limit", batch.limits.seconds, "give up a mesh after this time; 3600 if not given")
+      ->type_name("SECONDS")
+      ->check(positive);
+  command
+      .add_option("--memory-limit", batch.limits.bytes,
+                  "give up a mesh that needs more memory (address space) than this, as in 500MB or 2GB")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(true).description(""))
+      ->check(positive);
+  command
+      .add_option_function<std::string>(
+          "--slice", [&batch](const std::string& text) { batch.slice = *parse_slice(text); },
+          "take every N-th mesh only, from the I-th on, and write DIR/results.I-of-N.jsonl: for the tasks of a job array")
+      ->type_name("I/N")
+      ->check(is_slice);
+  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
+                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+  command.add_flag("--quiet", options.quiet, "show no progress, and print no table");
+  command.footer("\nEach mesh is gone through in a process of its own, so a failure is no more than a line with its "
+                 "reason.\nWithout -o the lines are printed. To have a mesh done again, delete its line.\n");
 }
 
 // Files that would overwrite each other or the input are a mistake on the command line.
@@ -231,8 +321,11 @@ void check_files(const Options& options)
     if(!name.empty())
       names.push_back(name);
   const std::size_t inputs = names.size();
-  for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files()})
+  for(const std::vector<std::string>& files :
+      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files()})
     names.insert(names.end(), files.begin(), files.end());
+  if(!options.page.empty())
+    names.push_back(options.page);
 
   if(options.command == Command::SEGMENT && is_part_file(options.mesh, options.folder))
     throw CLI::ValidationError(options.mesh, "the output could overwrite the input");
@@ -278,6 +371,16 @@ std::vector<std::string> Options::polylines_files() const
   return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.polylines.txt", polylines);
 }
 
+std::vector<std::string> Options::ply_files() const
+{
+  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.ply", "");
+}
+
+std::vector<std::string> Options::vtp_files() const
+{
+  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.vtp", "");
+}
+
 std::optional<int> parse_options(int argc, char** argv, Options& options)
 {
   CLI::App app(description, "constrictions");
@@ -313,12 +416,27 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   add_threads(segment, options);
   add_seeds(segment, options.search);
 
+  CLI::App& batch = *app.add_subcommand("batch", "find the constrictions of many meshes");
+  add_batch_options(batch, options);
+  add_selection_options(batch, options.selection);
+  add_policy(batch, policy);
+  add_seeds(batch, options.search);
+
+  CLI::App& view = *app.add_subcommand("view", "write a page that shows the constrictions in a browser");
+  add_view_options(view, options);
+  add_selection_options(view, options.selection);
+  add_policy(view, policy);
+  add_threads(view, options);
+  add_seeds(view, options.search);
+
   try
   {
     app.parse(argc, argv);
     options.command = tighten.parsed()   ? Command::TIGHTEN
                       : certify.parsed() ? Command::CERTIFY
                       : segment.parsed() ? Command::SEGMENT
+                      : batch.parsed()   ? Command::BATCH
+                      : view.parsed()    ? Command::VIEW
                                          : Command::DETECT;
     options.policy = policy == "gh"   ? Policy::GARLAND_HECKBERT
                      : policy == "lt" ? Policy::LINDSTROM_TURK
@@ -328,7 +446,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
     if(!side.empty())
       options.segmentation.side = side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
                                                    : CGAL::Surface_mesh_constrictions::Side::COMPLEMENT;
-    check_files(options);
+    if(options.command != Command::BATCH) // whose folder has files of other names
+      check_files(options);
   }
   catch(const CLI::ParseError& e)
   {

@@ -2,6 +2,9 @@
 #ifndef CONSTRICTIONS_OPTIONS_H
 #define CONSTRICTIONS_OPTIONS_H
 
+#include "batch_input.h"
+#include "process_pool.h"
+
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 
 #include <array>
@@ -13,7 +16,7 @@
 
 namespace constrictions {
 
-enum class Command { DETECT, TIGHTEN, CERTIFY, SEGMENT };
+enum class Command { DETECT, TIGHTEN, CERTIFY, SEGMENT, BATCH, VIEW };
 
 enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
 
@@ -42,6 +45,14 @@ struct Segmentation
   bool open = false; ///< without caps
 };
 
+/// Which meshes are gone through, and what each may use.
+struct Batch
+{
+  std::vector<std::string> inputs;
+  Slice slice;
+  Process_limits limits;
+};
+
 /// What the user asks for. A file or folder that was not asked for has an empty name.
 struct Options
 {
@@ -52,11 +63,13 @@ struct Options
   std::string folder;
   std::string json; ///< "-" is the standard output
   std::string polylines;
+  std::string page;
   Policy policy = Policy::GARLAND_HECKBERT;
   Search search;
   Selection selection;
   Segmentation segmentation;
   std::optional<std::size_t> threads; ///< at most
+  Batch batch;
   bool quiet = false;
 
   bool prints_json() const { return json == "-"; }
@@ -64,6 +77,8 @@ struct Options
 
   std::vector<std::string> json_files() const;
   std::vector<std::string> polylines_files() const;
+  std::vector<std::string> ply_files() const;
+  std::vector<std::string> vtp_files() const;
 
   /// a file for the parts, in the folder
   std::string file_in_folder(const std::string& name) const;

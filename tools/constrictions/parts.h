@@ -47,6 +47,9 @@ std::string parts_as_table(const Parts& parts);
 /// a mesh as binary PLY: coordinates as doubles, and of each face its part and the part's colour
 std::string mesh_as_ply(const Mesh& mesh, const std::vector<std::size_t>& part_of_face);
 
+/// a mesh as VTK PolyData: of each face its part, as `patch`, and the part's colour
+std::string mesh_as_vtp(const Mesh& mesh, const std::vector<std::size_t>& part_of_face);
+
 } // namespace constrictions
 
 #endif // CONSTRICTIONS_PARTS_H

@@ -1,48 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parts.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "colours.h"
+#include "little_endian.h"
+
 #include <cstdint>
-#include <cstring>
 #include <sstream>
 
 namespace constrictions {
-
-namespace {
-
-// Appends a number, the least significant byte first.
-template <class Unsigned>
-void append(Unsigned number, std::string& out)
-{
-  for(std::size_t i = 0; i < sizeof(Unsigned); ++i)
-    out += static_cast<char>(static_cast<std::uint64_t>(number) >> (8 * i) & 0xff);
-}
-
-void append(double number, std::string& out)
-{
-  std::uint64_t bits = 0;
-  static_assert(sizeof bits == sizeof number);
-  std::memcpy(&bits, &number, sizeof bits);
-  append(bits, out);
-}
-
-// Hues in steps of the golden ratio: whatever the number of parts, those with near numbers differ.
-std::array<std::uint8_t, 3> colour(std::size_t part)
-{
-  const double hue = std::fmod(0.09 + 0.6180339887498949 * static_cast<double>(part), 1.0);
-  std::array<std::uint8_t, 3> result;
-  for(std::size_t i = 0; i < 3; ++i)
-  {
-    const double k = std::fmod(hue * 6 + 5 - 2 * static_cast<double>(i), 6.0);
-    const double away = (std::min)(k, 4 - k);
-    result[i] = static_cast<std::uint8_t>(235 * (1 - 0.65 * (std::max)(0.0, (std::min)(1.0, away))));
-  }
-  return result;
-}
-
-} // namespace
 
 std::string mesh_as_ply(const Mesh& mesh, const std::vector<std::size_t>& part_of_face)
 {
@@ -61,16 +26,16 @@ std::string mesh_as_ply(const Mesh& mesh, const std::vector<std::size_t>& part_o
   {
     number[v] = n++;
     for(int i = 0; i < 3; ++i)
-      append(mesh.point(v)[i], out);
+      append_little_endian(mesh.point(v)[i], out);
   }
   for(Mesh::Face_index f : mesh.faces())
   {
-    append(std::uint8_t(3), out);
+    append_little_endian(std::uint8_t(3), out);
     for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      append(number[v], out);
-    for(std::uint8_t c : colour(part_of_face[f]))
-      append(c, out);
-    append(static_cast<std::uint32_t>(part_of_face[f]), out);
+      append_little_endian(number[v], out);
+    for(std::uint8_t c : part_colour(part_of_face[f]))
+      append_little_endian(c, out);
+    append_little_endian(static_cast<std::uint32_t>(part_of_face[f]), out);
   }
   return out;
 }

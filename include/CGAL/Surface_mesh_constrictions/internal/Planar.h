@@ -2,6 +2,8 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PLANAR_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PLANAR_H
 
+#include <CGAL/Surface_mesh_constrictions/internal/floating_point_requirements.h>
+
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# A task of a Slurm job array: constrictions batch for every N-th mesh, where N is the number of tasks of the array.
+# The program constrictions must be in the PATH, or its place in the variable CONSTRICTIONS.
+#
+#   sbatch --array=1-N scripts/batch_array.sh INPUT ... -o DIR [OPTIONS]      the arguments of constrictions batch
+#
+# The lines are in DIR/results.I-of-N.jsonl. A task that was cut off goes on where it was when it is submitted again.
+#SBATCH --job-name=constrictions
+set -euo pipefail
+
+index=$((SLURM_ARRAY_TASK_ID - SLURM_ARRAY_TASK_MIN + 1))
+exec "${CONSTRICTIONS:-constrictions}" batch "$@" --slice "$index/$SLURM_ARRAY_TASK_COUNT" -j "${SLURM_CPUS_PER_TASK:-1}"

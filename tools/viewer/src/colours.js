@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Colours of Okabe and Ito, which people with any kind of colour vision can tell apart.
+import {Color} from 'three';
+
+export const sides = {
+  object: {colour: '#d55e00', text: 'chokes the object'},
+  complement: {colour: '#0072b2', text: 'chokes the space around it'},
+  mixed: {colour: '#009e73', text: 'chokes both in part'},
+};
+export const selection = '#f0e442';
+export const seed = '#f0e442';
+
+const partHues = ['#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#f0e442', '#7d8fb3'];
+
+// What depends on the theme. Parts are tints, so that the curves stand out.
+export function scheme(theme) {
+  const dark = theme === 'dark';
+  const toward = new Color(dark ? '#6c737b' : '#f4f4f2');
+  return {
+    surface: new Color(dark ? '#9aa3ad' : '#d3d7dc'),
+    parts: partHues.map(hue => new Color(hue).lerp(toward, 0.5)),
+    casing: dark ? '#ffffff' : '#14171a',
+    edges: dark ? '#000000' : '#20252b',
+  };
+}

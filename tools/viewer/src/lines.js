@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Closed lines of a width in pixels, on a wider line of another colour, their casing.
+import {Group} from 'three';
+import {Line2} from 'three/addons/lines/Line2.js';
+import {LineGeometry} from 'three/addons/lines/LineGeometry.js';
+import {LineMaterial} from 'three/addons/lines/LineMaterial.js';
+
+export const casingWidth = 1.5; // on each side, in pixels
+
+export class ClosedLine {
+  // `points` are coordinates, the first point is not repeated
+  constructor(points) {
+    this.geometry = new LineGeometry();
+    this.geometry.setPositions([...points, ...points.slice(0, 3)]);
+    const line = (depthTest, order) => {
+      const material = new LineMaterial({depthTest, transparent: !depthTest, depthWrite: depthTest});
+      const result = new Line2(this.geometry, material);
+      result.renderOrder = order;
+      return result;
+    };
+    this.ghost = line(false, 1); // shines through the surface
+    this.ghost.material.opacity = 0.3;
+    this.casing = line(true, 2);
+    this.casing.material.depthWrite = false; // all lines are drawn over it
+    this.line = line(true, 3);
+    this.group = new Group();
+    this.group.add(this.ghost, this.casing, this.line);
+    this.ghost.visible = false;
+  }
+
+  set({colour, width, casing, border = casingWidth, ghost = false}) {
+    this.line.material.color.set(colour);
+    this.line.material.linewidth = width;
+    this.casing.material.color.set(casing);
+    this.casing.material.linewidth = width + 2 * border;
+    this.ghost.visible = ghost;
+    this.ghost.material.color.set(colour);
+    this.ghost.material.linewidth = width;
+  }
+
+  dispose() {
+    this.geometry.dispose();
+    for (const l of [this.ghost, this.casing, this.line])
+      l.material.dispose();
+  }
+}

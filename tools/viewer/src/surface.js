@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The surface that is drawn: triangles with colours, and the edges of the mesh.
+import {BufferAttribute, BufferGeometry, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh,
+  MeshLambertMaterial} from 'three';
+
+const cosineOfCrease = Math.cos(40 * Math.PI / 180);
+
+// The normals at the corners of the faces. At a corner the normals of those faces around the vertex are added, weighted
+// with area, whose planes make no crease with that of the face; none but its own if `isFlat`.
+function cornerNormals(points, faces, isFlat) {
+  const normals = new Float32Array(3 * faces.length), n = faces.length / 3;
+  const areas = new Float32Array(3 * n), units = new Float32Array(3 * n);
+  for (let f = 0; f < n; ++f) {
+    const a = 3 * faces[3 * f], b = 3 * faces[3 * f + 1], c = 3 * faces[3 * f + 2];
+    const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
+    const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
+    const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx, l = Math.hypot(x, y, z) || 1;
+    areas.set([x, y, z], 3 * f);
+    units.set([x / l, y / l, z / l], 3 * f);
+  }
+  if (isFlat) {
+    for (let i = 0; i < faces.length; ++i) {
+      const f = Math.floor(i / 3);
+      normals.set(units.subarray(3 * f, 3 * f + 3), 3 * i);
+    }
+    return normals;
+  }
+
+  const begin = new Uint32Array(points.length / 3 + 2);
+  for (const v of faces)
+    ++begin[v + 2];
+  for (let v = 2; v < begin.length; ++v)
+    begin[v] += begin[v - 1];
+  const around = new Uint32Array(faces.length);
+  for (let i = 0; i < faces.length; ++i)
+    around[begin[faces[i] + 1]++] = Math.floor(i / 3);
+  for (let i = 0; i < faces.length; ++i) {
+    const f = 3 * Math.floor(i / 3), v = faces[i];
+    let x = areas[f], y = areas[f + 1], z = areas[f + 2];
+    for (let j = begin[v]; j < begin[v + 1]; ++j) {
+      const g = 3 * around[j];
+      if (g !== f && units[f] * units[g] + units[f + 1] * units[g + 1] + units[f + 2] * units[g + 2] > cosineOfCrease) {
+        x += areas[g];
+        y += areas[g + 1];
+        z += areas[g + 2];
+      }
+    }
+    const l = Math.hypot(x, y, z) || 1;
+    normals[3 * i] = x / l;
+    normals[3 * i + 1] = y / l;
+    normals[3 * i + 2] = z / l;
+  }
+  return normals;
+}
+
+// Each edge once; in a closed mesh its halfedges run in opposite directions.
+function edgesOf(points, faces) {
+  const ends = [];
+  for (let f = 0; f < faces.length; f += 3)
+    for (let i = 0; i < 3; ++i) {
+      const a = faces[f + i], b = faces[f + (i + 1) % 3];
+      if (a < b)
+        ends.push(points[3 * a], points[3 * a + 1], points[3 * a + 2], points[3 * b], points[3 * b + 1], points[3 * b + 2]);
+    }
+  return new Float32Array(ends);
+}
+
+export class Surface {
+  constructor() {
+    // pushed back a little, so that lines on it are in front of it
+    const material = new MeshLambertMaterial({vertexColors: true, side: FrontSide, polygonOffset: true,
+      polygonOffsetFactor: 1.5, polygonOffsetUnits: 4});
+    this.mesh = new Mesh(new BufferGeometry(), material);
+    this.edges = new LineSegments(new BufferGeometry(), new LineBasicMaterial({transparent: true, opacity: 0.35}));
+    this.edges.visible = false;
+    this.group = new Group();
+    this.group.add(this.mesh, this.edges);
+    this.hasEdges = false;
+  }
+
+  set({points, faces}, isFlat) {
+    this.points = points;
+    this.faces = faces;
+    const corners = new Float32Array(3 * faces.length);
+    for (let i = 0; i < faces.length; ++i) {
+      const v = 3 * faces[i];
+      corners[3 * i] = points[v];
+      corners[3 * i + 1] = points[v + 1];
+      corners[3 * i + 2] = points[v + 2];
+    }
+    this.mesh.geometry.dispose();
+    const geometry = this.mesh.geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(corners, 3));
+    geometry.setAttribute('normal', new BufferAttribute(cornerNormals(points, faces, isFlat), 3));
+    geometry.setAttribute('color', new BufferAttribute(new Float32Array(corners.length).fill(1), 3));
+    this.hasEdges = false;
+    this.showEdges(this.edges.visible);
+  }
+
+  // `colourOfFace(f)` is a three.js colour.
+  colour(colourOfFace) {
+    const attribute = this.mesh.geometry.getAttribute('color'), numbers = attribute.array;
+    for (let f = 0; 9 * f < numbers.length; ++f) {
+      const {r, g, b} = colourOfFace(f);
+      for (let i = 9 * f; i < 9 * f + 9; i += 3) {
+        numbers[i] = r;
+        numbers[i + 1] = g;
+        numbers[i + 2] = b;
+      }
+    }
+    attribute.needsUpdate = true;
+  }
+
+  showEdges(visible, colour) {
+    this.edges.visible = visible;
+    if (colour)
+      this.edges.material.color.set(colour);
+    if (!visible || this.hasEdges || !this.faces)
+      return;
+    this.edges.geometry.dispose();
+    this.edges.geometry = new BufferGeometry();
+    this.edges.geometry.setAttribute('position', new BufferAttribute(edgesOf(this.points, this.faces), 3));
+    this.hasEdges = true;
+  }
+
+  // Whether the ray from a point meets a face, further away than `from`.
+  meets(ox, oy, oz, dx, dy, dz, from) {
+    const {points: p, faces} = this;
+    for (let f = 0; f < faces.length; f += 3) {
+      const a = 3 * faces[f], b = 3 * faces[f + 1], c = 3 * faces[f + 2];
+      const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
+      const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
+      const px = dy * vz - dz * vy, py = dz * vx - dx * vz, pz = dx * vy - dy * vx;
+      const determinant = ux * px + uy * py + uz * pz;
+      if (determinant === 0)
+        continue;
+      const tx = ox - p[a], ty = oy - p[a + 1], tz = oz - p[a + 2];
+      const s = (tx * px + ty * py + tz * pz) / determinant;
+      if (s < 0 || s > 1)
+        continue;
+      const qx = ty * uz - tz * uy, qy = tz * ux - tx * uz, qz = tx * uy - ty * ux;
+      const t = (dx * qx + dy * qy + dz * qz) / determinant;
+      if (t >= 0 && s + t <= 1 && (vx * qx + vy * qy + vz * qz) / determinant > from)
+        return true;
+    }
+    return false;
+  }
+}
