@@ -10,8 +10,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What became of the seed curves. Every seed ends in exactly one of `degenerate`, `not_simple`, `not_certified`,
-/// `merged`, `not_selected` or as the first seed of a returned curve.
+/// What became of the seed curves. Every seed ends in exactly one of `degenerate`, `discarded`, `not_simple`,
+/// `not_certified`, `merged`, `not_selected` or as the first seed of a returned curve.
 struct Detection_statistics
 {
   std::size_t collapses = 0;    ///< edge collapses of the simplification

@@ -100,7 +100,7 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(first_constriction_only)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certify)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
-/// The prominence that a constriction has at least, to be selected or to cut. Type: `double`, not an integer.
+/// The prominence that a constriction has at least, to be selected or to cut. Type: `double`.
 /// Default: 0.05 where constrictions are selected, 0 near a location; where curves cut, unset: all cut.
 /// Of the detections, the selections, `segment_by_constrictions()` and `split_along_constrictions()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_prominence)
