@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # A task of a Slurm job array: constrictions batch for every N-th mesh, where N is the number of tasks of the array.
 # The program constrictions must be in the PATH, or its place in the variable CONSTRICTIONS.
 #

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Runs the tests and prints which share of the lines of include/ they execute, and which lines they do not.
 #
 #   scripts/coverage.sh [PERCENT]      fails below this share; 95 if it is not given

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Builds the program and finds the constrictions of the armadillo, one of CGAL's example meshes.
 #
 #   scripts/demo.sh

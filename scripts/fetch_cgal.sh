@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Unpacks the CGAL of a Debian release into a folder, beside the installed one. Does nothing if it is there.
 # Prints the folder to give as CGAL_DIR on the last line.
 #

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Puts CGAL's example meshes, from Debian's package libcgal-demo, into a folder. Does nothing if they are there.
 #
 #   scripts/fetch_meshes.sh DIR

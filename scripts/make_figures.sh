@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the pictures of the README and the manual with the pages of `constrictions view`, in a browser without a screen.
 #
 #   scripts/make_figures.sh [PROGRAM]      the program; if none is given it is built

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what the build, the tests and the demonstration need, from Debian's packages (Debian 12 and 13). Where the
 # packages for the viewer cannot be had the program is built, or tested, without it.
 #
@@ -9,6 +10,7 @@ packages=(
   build-essential
   ca-certificates
   cmake
+  doxygen
   libbenchmark-dev
   libcgal-dev
   libcli11-dev

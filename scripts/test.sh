@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Builds the given configurations and runs their tests together. The last line is ctest's summary, the exit code is
 # ctest's.
 #

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Sets up Slurm on this machine as its only node, for this user and for as long as a command runs: all files are in a
 # temporary folder, and no service of the system is touched. Needs Debian's packages slurm-wlm and munge.
 #

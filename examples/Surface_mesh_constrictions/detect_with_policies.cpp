@@ -38,6 +38,7 @@ int main(int argc, char* argv[])
           .get_cost(SMS::LindstromTurk_cost<SMC::Simplification_mesh>())
           .get_placement(SMS::LindstromTurk_placement<SMC::Simplification_mesh>()));
 
-  std::cout << constrictions.size() << " constrictions" << std::endl;
+  for(const SMC::Constriction<Mesh>& c : constrictions)
+    std::cout << "length " << c.length() << ", prominence " << c.prominence() << std::endl;
   return EXIT_SUCCESS;
 }

@@ -47,6 +47,9 @@ int main(int argc, char* argv[])
   std::vector<SMC::Refined_curve> curves;
   SMC::refine_seed_curves(pm, record.refused_seeds, SMC::Tightening_schedule::EVERY_LEVEL, std::back_inserter(curves));
   for(const SMC::Refined_curve& c : curves)
-    std::cout << c.seeds.size() << " seeds led to a curve of " << c.curve.nodes.size() << " nodes" << std::endl;
+    if(c.curve.nodes.empty())
+      std::cout << c.seeds.size() << " seeds shortened to a point" << std::endl;
+    else
+      std::cout << c.seeds.size() << " seeds led to a curve of " << c.curve.nodes.size() << " nodes" << std::endl;
   return EXIT_SUCCESS;
 }

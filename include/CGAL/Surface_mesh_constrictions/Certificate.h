@@ -38,6 +38,7 @@ struct Sign_statistics
   std::size_t algebra = 0;        ///< by writing the number in a basis of its field: most of these are zero
   std::size_t unproved = 0;       ///< not at all
 
+  /// what has been decided since `b`
   friend Sign_statistics operator-(Sign_statistics a, const Sign_statistics& b)
   {
     a.interval -= b.interval;
@@ -48,6 +49,7 @@ struct Sign_statistics
     return a;
   }
 
+  /// the sums of the numbers
   friend Sign_statistics operator+(Sign_statistics a, const Sign_statistics& b)
   {
     a.interval += b.interval;
@@ -63,13 +65,13 @@ struct Sign_statistics
 /// The result of `certify_constriction()`: a verdict, and the place of the first condition that is violated.
 struct Certificate
 {
-  Certificate_verdict verdict = Certificate_verdict::NOT_COMPUTED;
+  Certificate_verdict verdict = Certificate_verdict::NOT_COMPUTED; ///< what has been proved, or what is violated
   std::size_t location = 0;       ///< of the violation, in `Constriction::locations()`
   std::size_t other_location = 0; ///< where the curve comes to the same place again, if it crosses or touches itself
   Curve_side side = Curve_side::LEFT; ///< of the angle below pi, of the leak, or of the end of the edge at which an arc
                                       ///< that is not straight leaves its strip
   double flat_band_width = 0;     ///< in the unit of the mesh's coordinates; 0 if there is no band
-  Sign_statistics signs;
+  Sign_statistics signs;          ///< how the signs were decided
 
   /// whether the curve is proved to be a constriction, strict or not
   bool is_certified() const

@@ -18,15 +18,18 @@ struct Closed_curve
   /// A pivot, or a halfedge that is crossed from its own face to the opposite one; the other is `null_index`.
   struct Node
   {
-    Index pivot;
-    Index halfedge;
+    Index pivot;    ///< a vertex, or `null_index`
+    Index halfedge; ///< a halfedge that is crossed, or `null_index`
 
+    /// whether the curve passes through a vertex here
     bool is_pivot() const { return pivot != null_index; }
+    /// whether both are the same pivot, or the same halfedge
     friend bool operator==(const Node& a, const Node& b) { return a.pivot == b.pivot && a.halfedge == b.halfedge; }
   };
 
   std::vector<Node> nodes; ///< the first is a pivot; it is not repeated at the end
 
+  /// an empty curve: what has shortened to a point
   Closed_curve() = default;
 
   /// the curve along the edges between consecutive vertices of a closed path.

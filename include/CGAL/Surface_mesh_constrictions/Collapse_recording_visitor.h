@@ -30,40 +30,52 @@ struct Collapse_record
 ///
 /// The visitor is copied by `edge_collapse()`; the record that it points to must outlive the call.
 ///
-/// \cgalModels `EdgeCollapseSimplificationVisitor`
+/// \cgalModels{EdgeCollapseSimplificationVisitor}
 ///
 /// \tparam VertexIndexMap readable map from the vertices of the simplified mesh to integers that name them in the record
 template <class VertexIndexMap>
 class Collapse_recording_visitor
 {
 public:
+  /// \param record what is written to
+  /// \param vim names the vertices in the record
+  /// \param with_refused_seeds whether `Collapse_record::refused_seeds` is written, too
   Collapse_recording_visitor(Collapse_record& record, VertexIndexMap vim, bool with_refused_seeds = true)
     : m_record(&record), m_vim(vim), m_with_refused_seeds(with_refused_seeds)
   {}
 
+  /// does nothing
   template <class TriangleMesh>
   void OnStarted(TriangleMesh&) {}
 
+  /// does nothing
   template <class TriangleMesh>
   void OnFinished(TriangleMesh&) {}
 
+  /// records the seeds of the edge that was selected last.
+  /// \cost quadratic in the degree of the edge's ends
   template <class Profile>
   void OnStopConditionReached(const Profile& profile) { note_seeds(profile); }
 
+  /// does nothing
   template <class Profile, class OptionalCost>
   void OnCollected(const Profile&, const OptionalCost&) {}
 
+  /// does nothing
   template <class Profile, class OptionalCost, class Size>
   void OnSelected(const Profile&, const OptionalCost&, Size, Size) {}
 
+  /// does nothing
   template <class Profile, class OptionalPoint>
   void OnCollapsing(const Profile&, const OptionalPoint&) {}
 
+  /// records the seeds of the edge whose collapse is refused.
   /// \cost quadratic in the degree of the edge's ends
   template <class Profile>
   void OnNonCollapsable(const Profile& profile) { note_seeds(profile); }
 
   // Not OnCollapsing: edges of length zero are collapsed without it, and only here the kept vertex is known.
+  /// records the collapse.
   template <class Profile, class Vertex>
   void OnCollapsed(const Profile& profile, const Vertex& kept)
   {

@@ -24,8 +24,13 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What a constriction chokes: the solid that the surface bounds outwards, the space around it, or part of each.
-enum class Side { OBJECT, COMPLEMENT, MIXED };
+/// What a constriction chokes.
+enum class Side
+{
+  OBJECT,     ///< the solid that the surface bounds: a neck
+  COMPLEMENT, ///< the space around it: the hole of a handle
+  MIXED       ///< part of each
+};
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// A closed geodesic of a triangle mesh: straight in the planar unfolding of the faces that it crosses, with side
@@ -41,9 +46,9 @@ class Constriction
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
 
 public:
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;     ///< vertices of the mesh
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor; ///< halfedges of the mesh
+  typedef typename Graph_traits::face_descriptor face_descriptor;         ///< faces of the mesh
 
   /// A face and barycentric coordinates with respect to `source(h)`, `target(h)` and `target(next(h))` of its halfedge
   /// `h`, as in Polygon Mesh Processing and Surface Mesh Shortest Paths.
@@ -53,7 +58,7 @@ public:
   /// opposite face, at `source + parameter * (target - source)`.
   struct Location
   {
-    bool is_pivot;
+    bool is_pivot;                ///< whether the curve passes through a vertex here
     vertex_descriptor vertex;     ///< if `is_pivot`
     halfedge_descriptor halfedge; ///< if not `is_pivot`
     double parameter;             ///< in [0, 1]; 0 if `is_pivot`
@@ -62,7 +67,7 @@ public:
   /// A vertex that the curve passes through.
   struct Pivot
   {
-    vertex_descriptor vertex;
+    vertex_descriptor vertex; ///< of the mesh
     std::size_t location; ///< its place in `locations()`
     double left_angle;    ///< radians, along the surface, on the left of the curve's direction
     double right_angle;   ///< radians, along the surface, on the right of the curve's direction
@@ -72,32 +77,34 @@ public:
   /// vertices have been merged into is given by the input vertex whose descriptor it kept.
   struct Seed
   {
-    std::size_t level;
-    std::vector<vertex_descriptor> vertices;
-    Seed_origin origin;
+    std::size_t level;                       ///< number of edge collapses after which the path exists
+    std::vector<vertex_descriptor> vertices; ///< in cyclic order, the first not repeated
+    Seed_origin origin;                      ///< the kind of its source
   };
 
-  /// Everything that is known of the curve.
+  /// Everything that is known of the curve, for those who make one themselves, as for `certify_constriction()`.
   struct Data
   {
-    std::vector<Location> locations;
-    std::vector<Pivot> pivots;
-    std::vector<Seed> seeds;
-    double length = 0;
-    double flat_band_width = 0;
-    bool separating = false;
-    std::vector<std::size_t> homology_class;
-    std::array<double, 2> areas = {0, 0};
-    double isoperimetric_ratio = 0;
-    Side side = Side::MIXED;
-    Certificate certificate;
-    double prominence = std::numeric_limits<double>::quiet_NaN();
-    std::optional<std::size_t> dominated_by;
-    std::vector<std::size_t> crosses;
-    std::vector<std::size_t> crosses_oddly;
+    std::vector<Location> locations;                ///< see `Constriction::locations()`
+    std::vector<Pivot> pivots;                      ///< see `Constriction::pivots()`
+    std::vector<Seed> seeds;                        ///< see `Constriction::seeds()`
+    double length = 0;                              ///< see `Constriction::length()`
+    double flat_band_width = 0;                     ///< see `Constriction::flat_band_width()`
+    bool separating = false;                        ///< see `Constriction::is_separating()`
+    std::vector<std::size_t> homology_class;        ///< see `Constriction::homology_class()`
+    std::array<double, 2> areas = {0, 0};           ///< see `Constriction::areas()`
+    double isoperimetric_ratio = 0;                 ///< see `Constriction::isoperimetric_ratio()`
+    Side side = Side::MIXED;                        ///< see `Constriction::side()`
+    Certificate certificate;                        ///< see `Constriction::certificate()`
+    double prominence = std::numeric_limits<double>::quiet_NaN(); ///< see `Constriction::prominence()`
+    std::optional<std::size_t> dominated_by;        ///< see `Constriction::dominated_by()`
+    std::vector<std::size_t> crosses;               ///< see `Constriction::crosses()`
+    std::vector<std::size_t> crosses_oddly;         ///< see `Constriction::crosses_oddly()`
   };
 
+  /// an empty curve
   Constriction() : m_data(std::make_shared<const Data>()) {}
+  /// the curve with these data, which are not checked
   explicit Constriction(Data data) : m_data(std::make_shared<const Data>(std::move(data))) {}
 
   /// the closed sequence of points; the first is not repeated, any two consecutive ones lie in one face
@@ -131,6 +138,7 @@ public:
   /// length^2 / (4 pi A), with A the smaller of the two areas
   double isoperimetric_ratio() const { return m_data->isoperimetric_ratio; }
 
+  /// what it chokes: what at least three quarters of the turning of the curve say
   Side side() const { return m_data->side; }
 
   /// what has been proved of the curve
@@ -190,6 +198,10 @@ public:
 
   /// writes the locations of the curve, in the order of `locations()`, to `out` as `Face_location`s. The face of a
   /// crossing is the one that the curve comes from.
+  ///
+  /// \param tm the mesh that the constriction was computed on
+  /// \param out an output iterator that takes `Face_location`
+  /// \cost linear in the number of locations
   template <class OutputIterator>
   OutputIterator face_locations(const TriangleMesh& tm, OutputIterator out) const
   {

@@ -10,8 +10,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What became of the seed curves. Every seed ends in exactly one of `degenerate`, `not_simple`, `not_certified`,
-/// `merged`, `not_selected` or as the first seed of a returned curve.
+/// What became of the seed curves. Every seed ends in exactly one of `degenerate`, `discarded`, `not_simple`,
+/// `not_certified`, `merged`, `not_selected` or as the first seed of a returned curve.
 struct Detection_statistics
 {
   std::size_t collapses = 0;    ///< edge collapses of the simplification
@@ -29,12 +29,20 @@ struct Detection_statistics
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The stages of `detect_constrictions()`, in order. With several simplification policies the first three are repeated.
-enum class Detection_stage { SIMPLIFICATION, SEEDS, REFINEMENT, TIGHTENING, CERTIFICATION, SELECTION };
+enum class Detection_stage
+{
+  SIMPLIFICATION, ///< edge collapses
+  SEEDS,          ///< the search for seed curves on each level
+  REFINEMENT,     ///< vertex splits, with early merging
+  TIGHTENING,     ///< of the curves that have arrived on the input
+  CERTIFICATION,  ///< of the distinct closed geodesics, and what else is known of each
+  SELECTION       ///< prominences, and selection by them
+};
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Visitor of `detect_constrictions()` whose callbacks do nothing: derive from it and hide what you need.
-/// The visitor is copied: let it point to what it changes. With `Parallel_tag` it is called by different threads, but by one at
-/// a time.
+///
+/// \cgalModels{ConstrictionDetectionVisitor}
 struct Detection_visitor_base
 {
   /// called when a stage begins that takes `steps` steps: edge collapses expected, levels, or curves

@@ -41,6 +41,7 @@ public:
     : std::invalid_argument(message), m_defect(defect), m_element(element)
   {}
 
+  /// what is wrong
   Input_defect defect() const noexcept { return m_defect; }
 
   /// the index of the offending element (0 for defects of the whole mesh)

@@ -26,6 +26,8 @@ namespace Surface_mesh_constrictions {
 /// The vertices around are needed where the given one is the tip of a limb: the loops through a tip shrink to a point,
 /// those through the vertices further down go around the limb.
 ///
+/// \cgalModels{ConstrictionSeedSource}
+///
 /// \cost O(size of T^0) for the ids, plus for each root O(n log n), for the given number n of vertices
 ///
 /// \sa `detect_constrictions_near()`
@@ -39,6 +41,7 @@ public:
     : m_vertex(vertex), m_vertices(vertices), m_max_roots(max_roots)
   {}
 
+  /// writes the seeds of the level
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {

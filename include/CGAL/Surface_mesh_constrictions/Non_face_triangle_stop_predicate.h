@@ -12,7 +12,7 @@ namespace Surface_mesh_constrictions {
 /// triangle*: three edges of the surface that bound no face (Section 4.1 of the paper). Its collapse would change the
 /// topology of the surface.
 ///
-/// \cgalModels `StopPredicate`
+/// \cgalModels{StopPredicate}
 class Non_face_triangle_stop_predicate
 {
 public:

@@ -20,9 +20,9 @@ namespace Surface_mesh_constrictions {
 /// An edge collapse: the vertex `removed` is merged into its neighbour `kept`, which moves to `point`.
 struct Edge_collapse
 {
-  Index removed;
-  Index kept;
-  Exact_predicates_inexact_constructions_kernel::Point_3 point;
+  Index removed; ///< the vertex that is merged into the other one
+  Index kept;    ///< the vertex that is left
+  Exact_predicates_inexact_constructions_kernel::Point_3 point; ///< where `kept` is after the collapse
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -38,7 +38,7 @@ struct Edge_collapse
 class Progressive_mesh
 {
 public:
-  typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+  typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point; ///< of double coordinates
 
 private:
   // While the collapse is undone, `point` is where the kept vertex will move; while it is applied, where it was.
@@ -56,8 +56,10 @@ public:
   /// faces at it. `left` is the halfedge from `removed` to `kept`, `right` its opposite; each is the first of its face.
   struct Split
   {
-    Index removed, kept;
-    Index left, right;
+    Index removed; ///< a vertex
+    Index kept;    ///< a vertex
+    Index left;    ///< a halfedge
+    Index right;   ///< a halfedge
   };
 
   /// \param table the connectivity of T^0
@@ -85,6 +87,7 @@ public:
   /// of the vertex and the two faces that it takes out
   static constexpr std::size_t bytes_per_collapse() { return sizeof(Record) + 3 * sizeof(Index); }
 
+  /// makes room for a sequence of so many collapses
   void reserve(std::size_t collapses) { m_records.reserve(collapses); }
 
   /// appends a collapse to the sequence and applies it.
@@ -151,6 +154,7 @@ public:
   }
 
   /// goes to T^k, one collapse or split after the other.
+  /// \pre `k <= number_of_collapses()`
   void go_to_level(std::size_t k)
   {
     CGAL_precondition(k <= m_records.size());
@@ -161,9 +165,11 @@ public:
   }
 
   /// what the next `collapse()` will take out.
+  /// \pre `level() < number_of_collapses()`
   Split next_collapse() const { return split_of(m_records[m_level]); }
 
   /// what the next `split()` will put in.
+  /// \pre `level() > 0`
   Split next_split() const { return split_of(m_records[m_level - 1]); }
 
   /// what the collapse from T^k to T^(k+1) has taken out.
@@ -184,8 +190,13 @@ public:
     return (std::min)(m_number_of_vertices > vertices ? m_number_of_vertices - vertices : 0, m_records.size());
   }
 
+  /// the number of vertices of T^0, isolated ones included
   std::size_t number_of_vertex_ids() const { return m_points.size(); }
+
+  /// the number of faces of T^0
   std::size_t number_of_face_ids() const { return m_face_end.size(); }
+
+  /// the number of halfedges of T^0
   std::size_t number_of_halfedge_ids() const { return m_table.source.size(); }
 
   /// whether `v` is a vertex of the current surface that is not isolated
@@ -210,17 +221,28 @@ public:
   /// Of elements of the current surface.
   /// @{
 
+  /// the next halfedge of the same face, counterclockwise
   static Index next(Index h) { return internal::Corner_table::next(h); }
+
+  /// the previous halfedge of the same face
   static Index prev(Index h) { return internal::Corner_table::prev(h); }
+
+  /// the face of a halfedge
   static Index face(Index h) { return h / 3; }
+
+  /// the other halfedge of the same edge
   Index opposite(Index h) const { return m_table.opposite[h]; }
+
+  /// the vertex that a halfedge comes from
   Index source(Index h) const { return m_table.source[h]; }
+
+  /// the vertex that a halfedge leads to
   Index target(Index h) const { return m_table.source[next(h)]; }
 
-  /// the same for both halfedges of an edge
+  /// the smaller halfedge of an edge, the same for both
   Index edge(Index h) const { return (std::min)(h, opposite(h)); }
 
-  /// a halfedge out of `v`
+  /// a halfedge out of `v`, or `null_index` if `v` is isolated
   Index outgoing(Index v) const { return m_table.outgoing[v]; }
 
   /// the halfedge out of `source(h)` that follows `h` counterclockwise
@@ -229,7 +251,7 @@ public:
   /// the halfedge out of `source(h)` that follows `h` clockwise
   Index cw(Index h) const { return next(opposite(h)); }
 
-  /// the halfedge from `u` to `v`, or `null_index`
+  /// the halfedge from `u` to `v`, or `null_index`. Linear in the degree of `u`.
   Index halfedge(Index u, Index v) const
   {
     const Index begin = outgoing(u);

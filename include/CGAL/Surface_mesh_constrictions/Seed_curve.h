@@ -33,7 +33,7 @@ struct Seed_curve
 {
   std::size_t level;           ///< number of edge collapses after which the path exists
   std::vector<Index> vertices; ///< its vertices in cyclic order, the first not repeated
-  Seed_origin origin;
+  Seed_origin origin;          ///< the kind of its source
 };
 
 } // namespace Surface_mesh_constrictions

@@ -14,7 +14,7 @@ namespace Surface_mesh_constrictions {
 /// The edges of seeds are recognised by their non-face triangle, not by a mark: a mark would be lost when the edge
 /// merges with a neighbour, while the triangle lives on with the merged vertex.
 ///
-/// \cgalModels `GetPlacement`
+/// \cgalModels{GetPlacement}
 ///
 /// \tparam BasePlacement a model of `GetPlacement`
 template <class BasePlacement>
@@ -22,6 +22,7 @@ class Seed_preserving_placement
   : private BasePlacement
 {
 public:
+  /// \param base the placement that is asked for all other edges
   explicit Seed_preserving_placement(const BasePlacement& base = BasePlacement()) : BasePlacement(base) {}
 
   /// none for an edge of a non-face triangle, otherwise what the base placement says.

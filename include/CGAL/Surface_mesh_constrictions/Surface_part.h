@@ -40,6 +40,7 @@ struct Part_adjacency
 /// What became of a curve that was to cut a surface.
 struct Cut_outcome
 {
+  /// the place of no curve
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   bool is_used;              ///< whether the surface was cut along it
@@ -50,9 +51,9 @@ struct Cut_outcome
 /// The parts of a surface, how they hang together, and what became of each curve, in the order of the input.
 struct Surface_parts
 {
-  std::vector<Surface_part> parts;
-  std::vector<Part_adjacency> adjacencies; ///< by curve
-  std::vector<Cut_outcome> outcomes;
+  std::vector<Surface_part> parts;         ///< numbered as in the face patch map
+  std::vector<Part_adjacency> adjacencies; ///< sorted by curve
+  std::vector<Cut_outcome> outcomes;       ///< one for each curve of the input
 };
 
 } // namespace Surface_mesh_constrictions

@@ -41,13 +41,18 @@ struct Carrying_parameters
 /// large meshes they are tightened on a few fine levels on the way, where hardly any curve is lost by that, so that
 /// little is left to be done on T^0.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. The output is the same.
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
+///         `Parallel_if_available_tag`. The output is the same.
+/// \tparam OutputIterator takes `Refined_curve`
+/// \tparam Visitor a model of `ConstrictionRefinementVisitor`
 ///
 /// \param pm the surface; at level 0 afterwards
 /// \param seeds the seeds, on any levels, in any order
 /// \param parameters the levels to tighten on, and what is kept
-/// \param out an output iterator that takes `Refined_curve`
-/// \param visitor see `Refinement_visitor_base`; told of levels only
+/// \param out an output iterator; curves that `is_discarded` or that shortened to a point are written without nodes
+/// \param visitor told of levels only
+/// \return the output iterator, past the last element that was written
+/// \pre `parameters.tightening_factor > 1`
 /// \cost O(degree) for each level and for each vertex split on a path, plus that of `merge_seed_curves()`
 template <class ConcurrencyTag = Sequential_tag, class OutputIterator, class Visitor>
 OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,

@@ -129,8 +129,8 @@ std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<
 ///
 /// \param tm a closed triangle mesh
 /// \param constrictions constrictions of `tm`, as computed on it with the same points
-/// \param out the same constrictions in the same order, with `Constriction::prominence()` and
-///        `Constriction::dominated_by()`
+/// \param out the same constrictions in the same order, with `Constriction::prominence()`,
+///        `Constriction::dominated_by()`, `Constriction::crosses()` and `Constriction::crosses_oddly()`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \cgalNamedParamsBegin
@@ -146,6 +146,7 @@ std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \return the output iterator, past the last element that was written
 /// \throws Invalid_input for a mesh that cannot be used
 /// \cost linear in the size of the mesh, plus, for each curve, O(m log m) for the m faces that are swept
 ///

@@ -34,6 +34,8 @@ namespace Surface_mesh_constrictions {
 /// \param root a vertex of it
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level; the smallest vertex of a loop
 ///        comes first, followed by the smaller of its two neighbours in the loop
+/// \return the output iterator, past the last element that was written
+/// \pre `pm.is_vertex(root)`
 /// \cost O(size of T^0) for the ids, plus O(n log n) for the n vertices of the current surface, plus the output
 ///
 /// \sa `cut_locus_seeds()`
@@ -56,6 +58,8 @@ OutputIterator cut_locus_seeds_at_vertex(const Progressive_mesh& pm, Index root,
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
 /// \param max_roots the vertices of the surface, in the order of their ids, are roots, or each second, each third and so
 ///        on, so that there are no more than this
+/// \return the output iterator, past the last element that was written
+/// \pre `max_roots > 0`
 /// \cost O(size of T^0) for the ids, plus O(n log n) for each root, n being the vertices of the current surface, plus the
 ///       output. Meant for coarse levels.
 template <class OutputIterator>

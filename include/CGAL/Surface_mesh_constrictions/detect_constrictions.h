@@ -36,11 +36,11 @@ namespace Surface_mesh_constrictions {
 /// The mesh is copied and the copy simplified by edge collapses; seed curves are found on the way; the collapses are
 /// undone one by one and the curves carried along; on the input mesh they are tightened until they are closed
 /// geodesics. Degenerate curves are dropped and equal ones merged. Of the closed geodesics that are left those are
-/// selected that a person would call necks, each once: see `select_constrictions()`. This is the method of Hetroy and
-/// Attali, *Detection of constrictions on closed polyhedral surfaces* (2003). The function is the composition of the
-/// package's stages; see the user manual.
+/// selected that a person would call necks, each once: see `select_constrictions()`. This is the method of
+/// \cgalCite{ha_dccps_03}. The function is the composition of the package's stages; see the user manual.
 ///
-/// The same input gives the same output. `tm` is not changed.
+/// The same input gives the same output. `tm` is not changed. Of meshes with more than 2,048 vertices prominences are
+/// measured on the surface with 2,048, but for curves that are not found there.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.
@@ -78,12 +78,12 @@ namespace Surface_mesh_constrictions {
 ///   \cgalParamNBegin{simplification_policies}
 ///     \cgalParamDescription{the cost and the placement of edge collapses; if several are given, the mesh is simplified with
 ///                           each of them, and seeds of all are followed. Not together with `get_cost`.}
-///     \cgalParamType{simplification policies, see `Garland_heckbert_policies`, or a `std::tuple` of several}
+///     \cgalParamType{a model of `ConstrictionSimplificationPolicies`, or a `std::tuple` of several}
 ///     \cgalParamDefault{`Garland_heckbert_policies`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{seed_sources}
 ///     \cgalParamDescription{where the seed curves come from}
-///     \cgalParamType{a seed source, see `Non_face_triangle_seeds`; several are one, `Seed_sources`}
+///     \cgalParamType{a model of `ConstrictionSeedSource`; several are one, `Seed_sources`}
 ///     \cgalParamDefault{`Default_seed_sources`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{seed_detection}
@@ -139,20 +139,21 @@ namespace Surface_mesh_constrictions {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{notified of the progress and of what became of the seeds}
-///     \cgalParamType{a class like `Detection_visitor_base`; it is copied}
+///     \cgalParamType{a model of `ConstrictionDetectionVisitor`; it is copied}
 ///     \cgalParamDefault{`Detection_visitor_base`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// Those from `simplification_policies` to `all_constrictions` are functions of
-/// `CGAL::Surface_mesh_constrictions::parameters`. CGAL's list of names that can be chained is closed, so they start
-/// a chain, `tightening_schedule(t).visitor(v)`, or take one as their second argument, `tightening_schedule(t,
-/// CGAL::parameters::visitor(v))`.
+/// `CGAL::Surface_mesh_constrictions::parameters`: see \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
 ///
+/// \return the output iterator, past the last constriction
 /// \throws Invalid_input for a mesh that cannot be used; it says what is wrong and where
-/// \cost that of the simplification, O(n log n) for n faces, plus O(n), plus for each curve and each vertex split whose
-///       star it passes through, linear in the lengths of the strips between the nearest pivots, plus that of
-///       `compute_prominences()`
+/// \throws whatever the visitor throws; `tm` is as before then, and nothing has been written
+/// \cost that of the simplification, O(n log n) for n faces, plus that of the seed sources, plus that of
+///       `carry_seed_curves()`, or `refine_seed_curves()` if a `tightening_schedule` asks for it, plus for each curve that is
+///       left on the input linear in the lengths of the strips that it is led through, plus that of
+///       `certify_constriction()` and `compute_prominences()`. Memory: O(n), plus the seed curves.
 ///
 /// \sa `tighten_closed_curve()`
 /// \sa `select_constrictions()`

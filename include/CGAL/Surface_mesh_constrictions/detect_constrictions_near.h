@@ -49,6 +49,8 @@ struct Statistics_keeper
 /// width of the flat band if there is one: the nearest first, but of two that are about as near the shorter one, and one
 /// that is several times its length away late.
 ///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
+///         `Parallel_if_available_tag`. The output is the same.
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam Point a 3D point, of any kernel
 /// \tparam OutputIterator takes `Constriction<TriangleMesh>`
@@ -79,6 +81,7 @@ struct Statistics_keeper
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \return the output iterator, past the last constriction
 /// \throws Invalid_input for a mesh that cannot be used, and for a location with a coordinate that is no finite number
 /// \cost that of `detect_constrictions()` with the seeds of 64 roots: hardly more than that of the simplification
 ///

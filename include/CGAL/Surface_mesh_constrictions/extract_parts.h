@@ -121,6 +121,7 @@ private:
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \return the output iterator, past the last element that was written
 /// \cost linear in the size of the mesh, plus that of filling the holes
 template <class TriangleMesh, class EdgeIsConstrainedMap, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>

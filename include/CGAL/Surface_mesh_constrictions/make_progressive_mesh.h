@@ -17,10 +17,29 @@ namespace Surface_mesh_constrictions {
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// builds the progressive mesh of a triangle mesh and of the edge collapses that were made on a copy of it.
 ///
+/// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
 /// \param tm the mesh before the first collapse, closed; unchanged. Vertex `i` of the progressive mesh is the `i`-th one
 ///        of `vertices(tm)`, face `i` the `i`-th one of `faces(tm)`.
 /// \param collapses the record of a `Collapse_recording_visitor`, in these vertex numbers
-/// \param np an optional sequence of named parameters: `vertex_point_map` and `vertex_index_map` of `tm`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{a property map associating points to the vertices of `tm`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` whose value type is a 3D point; other than double
+///                    coordinates are rounded to the nearest double}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_index_map}
+///     \cgalParamDescription{a property map associating to each vertex of `tm` a unique index}
+///     \cgalParamType{a class model of `ReadablePropertyMap`}
+///     \cgalParamDefault{an automatically indexed internal map}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \pre each collapse keeps the surface a 2-manifold (the link condition), as those of `edge_collapse()` do
 /// \return the progressive mesh, at its last level
 /// \throws Invalid_input for a mesh that cannot be used
 /// \cost linear in the size of the mesh and the number of collapses

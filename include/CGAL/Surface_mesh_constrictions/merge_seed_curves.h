@@ -61,7 +61,7 @@ struct Merged_seed
 {
   Seed_curve curve;               ///< without vertices if it does not go on
   std::vector<std::size_t> seeds; ///< numbers of the seeds that it stands for
-  Merging_verdict verdict;
+  Merging_verdict verdict;        ///< whether it goes on
 };
 
 namespace internal {
@@ -248,13 +248,17 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
 /// to the one kept before it. What is kept is not tightened, unless that is asked for: a curve that is tight on a coarse
 /// level often lies where it slips off later on.
 ///
-/// \tparam ConcurrencyTag enables sequential versus parallel algorithm. The output is the same.
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
+///         `Parallel_if_available_tag`. The output is the same.
+/// \tparam OutputIterator takes `Merged_seed`
 ///
 /// \param pm the surface; at the given level afterwards
 /// \param seeds the seeds, on any levels, in any order. Those of finer levels are written as they are.
 /// \param level the level to merge on
 /// \param parameters what is kept
-/// \param out an output iterator that takes `Merged_seed`
+/// \param out an output iterator
+/// \return the output iterator, past the last element that was written
+/// \pre `parameters.kept > 0` and `level <= pm.number_of_collapses()`
 /// \cost O(degree) for each level and for each vertex split on a path, plus for each seed that of tightening it on the
 ///       given level until it is what another one was on its way, plus that of the areas and prominences asked for
 template <class ConcurrencyTag = Sequential_tag, class OutputIterator>

@@ -19,6 +19,7 @@ namespace Surface_mesh_constrictions {
 ///
 /// \param pm the surface; unchanged
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
+/// \return the output iterator, past the last element that was written
 /// \cost linear in the sum of squared vertex degrees
 template <class OutputIterator>
 OutputIterator non_face_triangles(const Progressive_mesh& pm, OutputIterator out)
@@ -55,7 +56,10 @@ OutputIterator non_face_triangles(const Progressive_mesh& pm, OutputIterator out
 /// writes the non-face triangles at a vertex (after a collapse, the vertex that it has merged: Section 4.1 of the paper).
 ///
 /// \param pm the surface; unchanged
+/// \param v a vertex of it
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
+/// \return the output iterator, past the last element that was written
+/// \pre `pm.is_vertex(v)`
 /// \cost quadratic in the vertex degree
 template <class OutputIterator>
 OutputIterator non_face_triangles_at_vertex(const Progressive_mesh& pm, Index v, OutputIterator out)

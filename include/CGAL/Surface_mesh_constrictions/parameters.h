@@ -61,21 +61,82 @@ enum with_caps_t { with_caps };
   }
 
 namespace Surface_mesh_constrictions {
+
+/// The named parameters that CGAL does not have.
 namespace parameters {
 
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Asks for non-face triangles as the only seed curves, as in the paper, and says when they are noticed.
+/// Type: `Seed_detection`. Default: unset; seeds are those of `seed_sources`.
+/// Of `detect_constrictions()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_detection)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Where seed curves come from. Type: a model of `ConstrictionSeedSource`. Default: `Default_seed_sources`.
+/// Of `detect_constrictions()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_sources)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Cost and placement of edge collapses. Type: a model of `ConstrictionSimplificationPolicies`, or a `std::tuple` of several:
+/// then the mesh is simplified with each of them. Default: `Garland_heckbert_policies`.
+/// Of `detect_constrictions()` and `detect_constrictions_near()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(simplification_policies)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// How curves are carried to the input and where they are tightened. Type: `Tightening_schedule`.
+/// Default: `Tightening_schedule::UNSTRAIGHTENED`, or `Tightening_schedule::AT_THE_END` if `seed_detection` is given.
+/// Of `detect_constrictions()` and `detect_constrictions_near()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(tightening_schedule)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Whether to stop at the first seed curve, and follow that one only. Type: `bool`. Default: `false`.
+/// Of `detect_constrictions()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(first_constriction_only)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Whether each curve is certified with exact arithmetic, and corrected where rounding has led it astray.
+/// Type: `bool`. Default: `true`.
+/// Of `detect_constrictions()`, `detect_constrictions_near()` and `tighten_closed_curves()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certify)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// The prominence that a constriction has at least, to be selected or to cut. Type: `double`.
+/// Default: 0.05 where constrictions are selected, 0 near a location; where curves cut, unset: all cut.
+/// Of the detections, the selections, `segment_by_constrictions()` and `split_along_constrictions()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_prominence)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// The ratio \f$L^2/(4 \pi A)\f$ that a separating constriction has at most, to be selected. Type: `double`. Default: 0.25.
+/// Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_isoperimetric_ratio)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// How many constrictions are selected at most, the most prominent ones; near a location the nearest ones.
+/// Type: `std::size_t`. Default: no limit. Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_constrictions)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Whether to select also constrictions that cross a more prominent one, there and back, or are composed of shorter
+/// ones. Type: `bool`. Default: `false`. Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(crossing_constrictions)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Whether to select every distinct closed geodesic that was found. Type: `bool`. Default: `false`.
+/// Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(all_constrictions)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// How many parts a surface is cut into at most. Type: `std::size_t`. Default: unset, all curves cut.
+/// Of `segment_by_constrictions()` and `split_along_constrictions()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_parts)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// What a curve chokes, to cut. Type: `Side`. Default: unset, all curves cut.
+/// Of `segment_by_constrictions()` and `split_along_constrictions()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(choked_side)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Whether the holes of the parts are filled. Type: `bool`. Default: `true`. Of `extract_parts()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(with_caps)
 
 } // namespace parameters

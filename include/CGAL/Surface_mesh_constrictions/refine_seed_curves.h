@@ -32,7 +32,9 @@ struct Refined_curve
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Visitor of `refine_seed_curves()` whose callbacks do nothing.
+/// Visitor of `refine_seed_curves()` whose callbacks do nothing: derive from it and hide what you need.
+///
+/// \cgalModels{ConstrictionRefinementVisitor}
 struct Refinement_visitor_base
 {
   /// called when all curves have reached T^level
@@ -49,12 +51,17 @@ struct Refinement_visitor_base
 /// At each split only the arcs through the star of the vertex that is split are computed anew, between the nearest
 /// pivots. Curves that become equal are merged at the level where they meet.
 ///
+/// \tparam OutputIterator takes `Refined_curve`
+/// \tparam Visitor a model of `ConstrictionRefinementVisitor`
+///
 /// \param pm the surface; at level 0 afterwards
 /// \param seeds the seeds, on any levels, in any order
 /// \param schedule whether the changed part of a curve is tightened at every level. A curve that shortens to a point on
 ///        a level is given up there. Not `UNSTRAIGHTENED`: see `carry_seed_curves()`.
-/// \param out an output iterator that takes `Refined_curve`
-/// \param visitor see `Refinement_visitor_base`
+/// \param out an output iterator
+/// \param visitor told of each level and of each change of a curve
+/// \return the output iterator, past the last element that was written
+/// \pre `schedule != Tightening_schedule::UNSTRAIGHTENED`, and each seed is a closed path of edges of its level
 /// \cost O(degree) for each level, plus what is touched: for each curve through the star that is split, linear in the
 ///       lengths of the strips between the pivots around it
 template <class OutputIterator, class Visitor>

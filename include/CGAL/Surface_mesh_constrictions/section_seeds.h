@@ -27,6 +27,7 @@ namespace Surface_mesh_constrictions {
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
 /// \param directions number of normals of the planes, spread evenly over a hemisphere
 /// \param planes number of planes for each normal, at equal distances from one end of the surface to the other
+/// \return the output iterator, past the last element that was written
 /// \cost O(size of T^0) for the ids, plus O(n) for each plane, n being the faces of the current surface, plus the output
 template <class OutputIterator>
 OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator out, std::size_t directions = 48,
@@ -60,6 +61,7 @@ OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator ou
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
 /// \param vertices number of the vertices, each as far as possible from those before it
 /// \param sections number of level sets for each pair, at equal distances from the least value to the greatest
+/// \return the output iterator, past the last element that was written
 /// \cost O(size of T^0) for the ids, plus O(n) for each section, n being the faces of the current surface, plus the output
 template <class OutputIterator>
 OutputIterator distance_section_seeds(const Progressive_mesh& pm, OutputIterator out, std::size_t vertices = 10,

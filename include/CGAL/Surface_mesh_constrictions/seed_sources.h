@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What a seed source is told about the level that it is called for.
+/// What a model of `ConstrictionSeedSource` is told about the level that it is called for.
 struct Seed_level
 {
   std::size_t vertices;                         ///< number of vertices of the current surface that are not isolated
@@ -32,24 +32,14 @@ struct Seed_level
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Seed sources.
+/// Seed source that writes the non-face triangles when they appear (Section 4.1 of the paper).
 ///
-/// A seed source is a copyable type with the member
-///
-/// \code
-/// template <class OutputIterator>
-/// OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const;
-/// \endcode
-///
-/// which is called once for each surface T^0, T^1, ... T^n, from the finest to the coarsest, with `pm` at that level, and
-/// writes the seeds that it finds there: `Seed_curve`s that are closed paths of edges of the current surface, with
-/// `level` the current level. Nothing that uses the seeds asks where they come from.
-///
-/// `Non_face_triangle_seeds` writes the non-face triangles when they appear (Section 4.1 of the paper).
+/// \cgalModels{ConstrictionSeedSource}
 ///
 /// \cost quadratic in the degree of the merged vertex for each level
 struct Non_face_triangle_seeds
 {
+  /// writes the seeds of the level
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {
@@ -60,8 +50,13 @@ struct Non_face_triangle_seeds
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Seed source that writes the non-face triangles for which the simplification refused a collapse (Sections 1 and 4.4
 /// of the paper).
+///
+/// \cgalModels{ConstrictionSeedSource}
+///
+/// \cost logarithmic in the number of these triangles for each level, plus the output
 struct Refused_collapse_seeds
 {
+  /// writes the seeds of the level
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {
@@ -77,12 +72,20 @@ struct Refused_collapse_seeds
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Seed source that writes the seeds of another one whose vertices are all saddle points of their surface: the sum of
 /// the angles at each is greater than 2 pi (Section 5.2 of the paper).
+///
+/// \cgalModels{ConstrictionSeedSource}
+///
+/// \tparam SeedSource a model of `ConstrictionSeedSource`
+///
+/// \cost that of the other source, plus the degrees of the vertices of its seeds
 template <class SeedSource>
 class Saddle_seeds
 {
 public:
+  /// \param source the source whose seeds are looked at
   explicit Saddle_seeds(SeedSource source = SeedSource()) : m_source(std::move(source)) {}
 
+  /// writes the seeds of the level
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {
@@ -112,11 +115,18 @@ private:
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Seed source that writes given closed paths of edges of T^0. Vertices are numbered as they come in `vertices(tm)`.
+/// `detect_constrictions()` does not check the paths; `tighten_closed_curves()` takes loops that are checked.
+///
+/// \cgalModels{ConstrictionSeedSource}
+///
+/// \cost linear in the length of the paths
 class Given_seeds
 {
 public:
+  /// \param loops closed paths, each the cyclic sequence of its vertices, the first not repeated
   explicit Given_seeds(std::vector<std::vector<Index> > loops) : m_loops(std::move(loops)) {}
 
+  /// writes the seeds of the level
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level&, OutputIterator out) const
   {
@@ -132,7 +142,11 @@ private:
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Whether a surface is the first one, as they are simplified, that has no more than the given number of vertices, or
-/// the coarsest one if none has.
+/// the coarsest one if none has: for seed sources that look at one level only.
+///
+/// \param pm the surface
+/// \param level what a seed source is told about it
+/// \param vertices the number of vertices that are not isolated
 inline bool is_level_with(const Progressive_mesh& pm, const Seed_level& level, std::size_t vertices)
 {
   return level.vertices == vertices || (level.vertices < vertices && pm.level() == 0) ||
@@ -142,14 +156,19 @@ inline bool is_level_with(const Progressive_mesh& pm, const Seed_level& level, s
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Seed source that writes `cut_locus_seeds()` of the surface with a given number of vertices.
 ///
+/// \cgalModels{ConstrictionSeedSource}
+///
 /// \cost for each root O(n log n), for the given number n of vertices
 class Cut_locus_source
 {
 public:
+  /// \param vertices the number of vertices of the surface that the loops are looked for on
+  /// \param max_roots see `cut_locus_seeds()`
   explicit Cut_locus_source(std::size_t vertices = 1000, std::size_t max_roots = 334)
     : m_vertices(vertices), m_max_roots(max_roots)
   {}
 
+  /// writes the seeds of the level
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {
@@ -164,12 +183,16 @@ private:
 /// Seed source that writes `plane_section_seeds()` and `distance_section_seeds()` of the surface with a given number of
 /// vertices.
 ///
+/// \cgalModels{ConstrictionSeedSource}
+///
 /// \cost about 2,000 times linear in the given number of vertices
 class Section_source
 {
 public:
+  /// \param vertices the number of vertices of the surface that is cut
   explicit Section_source(std::size_t vertices = 1000) : m_vertices(vertices) {}
 
+  /// writes the seeds of the level
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {
@@ -182,12 +205,18 @@ private:
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Several seed sources as one: what each of them writes, in their order.
+///
+/// \cgalModels{ConstrictionSeedSource}
+///
+/// \tparam SeedSource models of `ConstrictionSeedSource`
 template <class... SeedSource>
 class Seed_sources
 {
 public:
+  /// stores copies of the sources
   explicit Seed_sources(SeedSource... sources) : m_sources(std::move(sources)...) {}
 
+  /// writes the seeds of the level
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {
@@ -202,9 +231,12 @@ private:
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The seed sources that are used by default: those that together find most constrictions, chosen by the study in the user
 /// manual.
+///
+/// \cgalModels{ConstrictionSeedSource}
 struct Default_seed_sources
   : public Seed_sources<Non_face_triangle_seeds, Cut_locus_source, Section_source>
 {
+  /// non-face triangles, cut locus and sections, each with its defaults
   Default_seed_sources() : Seed_sources(Non_face_triangle_seeds(), Cut_locus_source(), Section_source()) {}
 };
 

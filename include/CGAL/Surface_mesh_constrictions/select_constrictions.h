@@ -80,6 +80,7 @@ constexpr double default_maximum_isoperimetric_ratio = 0.25;
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \return the output iterator, past the last element that was written
 /// \cost O(n log n) for n constrictions, plus the lengths of the ways along `Constriction::dominated_by()`
 template <class ConstrictionRange, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -150,6 +151,7 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
 /// \param out the selected ones, the most prominent first
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of the two functions
 ///
+/// \return the output iterator, past the last element that was written
 /// \throws Invalid_input for a mesh that cannot be used
 /// \cost that of `compute_prominences()`
 template <class TriangleMesh, class ConstrictionRange, class OutputIterator,

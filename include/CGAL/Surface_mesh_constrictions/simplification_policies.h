@@ -14,14 +14,20 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// A cost and a placement of edge collapses.
+/// A cost and a placement of edge collapses: what models of `ConstrictionSimplificationPolicies` may return.
+///
+/// \tparam Cost a model of `GetCost` that can be derived from
+/// \tparam Placement a model of `GetPlacement`
 template <class Cost, class Placement>
 class Cost_and_placement
 {
 public:
+  /// stores copies of both
   Cost_and_placement(const Cost& cost, const Placement& placement) : m_cost(cost), m_placement(placement) {}
 
+  /// the cost
   const Cost& get_cost() const { return m_cost; }
+  /// the placement
   const Placement& get_placement() const { return m_placement; }
 
 private:
@@ -30,17 +36,12 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Simplification policies.
+/// Simplification policies: CGAL's `GarlandHeckbert_plane_policies`, as in the paper. The default.
 ///
-/// Simplification policies are a copyable type that is called with the mesh to be simplified, a `Simplification_mesh`,
-/// before the simplification, and returns an object that has the members `get_cost()` and `get_placement()` and is alive
-/// as long as the simplification. The cost is of a class that can be derived from. Of a large mesh parts are simplified on
-/// their own first, and with `Parallel_tag` several at a time: then the policies are called for each part. Passed to the named parameter `simplification_policies`, one or several in a
-/// `std::tuple`.
-///
-/// `Garland_heckbert_policies` are CGAL's `GarlandHeckbert_plane_policies`, as in the paper.
+/// \cgalModels{ConstrictionSimplificationPolicies}
 struct Garland_heckbert_policies
 {
+  /// the policies for a mesh
   auto operator()(Simplification_mesh& mesh) const
   {
     return Surface_mesh_simplification::GarlandHeckbert_plane_policies<Simplification_mesh,
@@ -50,8 +51,11 @@ struct Garland_heckbert_policies
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Simplification policies: CGAL's `LindstromTurk_cost` and `LindstromTurk_placement`.
+///
+/// \cgalModels{ConstrictionSimplificationPolicies}
 struct Lindstrom_turk_policies
 {
+  /// the policies for a mesh
   auto operator()(Simplification_mesh&) const
   {
     namespace SMS = Surface_mesh_simplification;
@@ -62,8 +66,11 @@ struct Lindstrom_turk_policies
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Simplification policies: CGAL's `Edge_length_cost` and `Midpoint_placement`, the shortest edge first.
+///
+/// \cgalModels{ConstrictionSimplificationPolicies}
 struct Edge_length_policies
 {
+  /// the policies for a mesh
   auto operator()(Simplification_mesh&) const
   {
     namespace SMS = Surface_mesh_simplification;

@@ -28,7 +28,7 @@ namespace Surface_mesh_constrictions {
 template <class TriangleMesh>
 struct Split_curves
 {
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor; ///< halfedges of the mesh
 
   /// for each curve of the input the cyclic sequence of the halfedges along it, in its direction; empty if it does not
   /// cut
@@ -112,11 +112,12 @@ auto edge_mark(const NamedParameters& np)
 ///     \cgalParamDescription{the edges of the curves are put to `true`. The pieces of an edge get what the edge had,
 ///                           new edges inside of faces `false`.}
 ///     \cgalParamType{a class model of `ReadWritePropertyMap` with the edges of `tm` as key type and `bool` as value
-///     type} \cgalParamDefault{edges are not marked}
+///                    type}
+///     \cgalParamDefault{edges are not marked}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told which faces and edges are split, and into what}
-///     \cgalParamType{a class like `Split_visitor_base`; it is copied}
+///     \cgalParamType{a model of `ConstrictionSplitVisitor`; it is copied}
 ///     \cgalParamDefault{`Split_visitor_base<TriangleMesh>`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_prominence}
@@ -136,6 +137,9 @@ auto edge_mark(const NamedParameters& np)
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// The last three are functions of `CGAL::Surface_mesh_constrictions::parameters`.
+///
+/// \return for each curve the halfedges along it, and what became of it
 /// \throws Invalid_input for a curve that is no closed sequence of locations on triangles of `tm`, and, with
 ///         `maximum_number_of_parts`, for a mesh that cannot be used; `tm` is then not changed
 /// \cost linear in the number of crossed faces, if few curves cross each: for each crossing, linear in the number of

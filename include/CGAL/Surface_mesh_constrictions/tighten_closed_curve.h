@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
@@ -33,7 +34,7 @@ namespace Surface_mesh_constrictions {
 template <class TriangleMesh>
 struct Tightened_curve
 {
-  Tightening_verdict verdict;
+  Tightening_verdict verdict;       ///< how it ended
   Constriction<TriangleMesh> curve; ///< empty unless the verdict is `CLOSED_GEODESIC`
 };
 
@@ -97,6 +98,7 @@ inline Tightening_verdict tightening_verdict(const Certificate& certificate, boo
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \return the output iterator, past the last element that was written
 /// \throws Invalid_input for a mesh that cannot be used, and for a loop that is not a closed path of mesh edges
 /// \cost linear in the size of the mesh, plus for each loop linear in the lengths of the strips that it is led through
 template <class TriangleMesh, class LoopRange, class OutputIterator,
@@ -155,7 +157,11 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
 ///
 /// \param tm a closed triangle mesh
 /// \param loop a range of vertex descriptors
-/// \param np an optional sequence of named parameters: `vertex_point_map` and `vertex_index_map` of `tm`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `tighten_closed_curves()`
+///
+/// \return the constriction, or why there is none
+/// \throws Invalid_input for a mesh that cannot be used, and for a loop that is not a closed path of mesh edges
+/// \cost that of `tighten_closed_curves()` with one loop
 template <class TriangleMesh, class Loop, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Tightened_curve<TriangleMesh> tighten_closed_curve(const TriangleMesh& tm, const Loop& loop,
                                                    const NamedParameters& np = CGAL::parameters::default_values())

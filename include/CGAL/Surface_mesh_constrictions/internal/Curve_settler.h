@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Flat_band.h>
@@ -17,17 +18,6 @@
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
-
-/// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What a closed curve becomes when it is tightened.
-enum class Tightening_verdict
-{
-  CLOSED_GEODESIC, ///< a simple closed geodesic that no flat band leaks away
-  DEGENERATE,      ///< a point
-  NOT_SIMPLE,      ///< a closed geodesic that crosses or touches itself
-  NOT_CERTIFIED    ///< a curve that could not be proved to be a constriction
-};
-
 namespace internal {
 
 // Throws Invalid_input if `path` is not a closed path of edges.

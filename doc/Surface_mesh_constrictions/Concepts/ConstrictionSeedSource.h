@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \ingroup PkgSurfaceMeshConstrictionsConcepts
+/// \cgalConcept
+///
+/// The concept `ConstrictionSeedSource` describes where seed curves come from: the named parameter `seed_sources` of
+/// `CGAL::Surface_mesh_constrictions::detect_constrictions()`.
+///
+/// A source is called once for each surface <i>T<sup>0</sup></i>, <i>T<sup>1</sup></i>, ..., <i>T<sup>n</sup></i>, from
+/// the finest to the coarsest, by one thread. So what it does on every level should touch the merged vertex only, and
+/// what is expensive should be done on one level, chosen by `CGAL::Surface_mesh_constrictions::is_level_with()`. Nothing
+/// that uses the seeds asks where they come from. The same surface has to give the same seeds.
+///
+/// \cgalRefines{CopyConstructible}
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Default_seed_sources}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Seed_sources}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Non_face_triangle_seeds}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Refused_collapse_seeds}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Saddle_seeds}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Cut_locus_source}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Local_cut_locus_source}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Section_source}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Given_seeds}
+/// \cgalHasModelsEnd
+class ConstrictionSeedSource
+{
+public:
+  /// writes the seeds of the current surface of `pm`.
+  ///
+  /// \tparam OutputIterator takes `CGAL::Surface_mesh_constrictions::Seed_curve`
+  ///
+  /// \param pm the surface, at the level that the source is called for
+  /// \param level what is known of this level
+  /// \param out takes closed paths of edges of the current surface, with `level` equal to `pm.level()`; no vertex may
+  ///        follow itself, and a path has three vertices at least
+  /// \return the output iterator, past the last seed
+  template <class OutputIterator>
+  OutputIterator operator()(const CGAL::Surface_mesh_constrictions::Progressive_mesh& pm,
+                            const CGAL::Surface_mesh_constrictions::Seed_level& level, OutputIterator out) const;
+};
