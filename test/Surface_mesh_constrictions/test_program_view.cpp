@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_program_view {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -337,4 +337,4 @@ TEST_F(Program, view_says_that_it_was_left_out)
 
 #endif
 
-} // namespace
+} // namespace test_program_view
