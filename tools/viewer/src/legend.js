@@ -9,7 +9,8 @@ const chip = (colour, className) => {
   return result;
 };
 
-export function showLegend(into) {
+export function showLegend(into, theme) {
+  into.replaceChildren();
   const entry = (chips, text) => {
     const dt = document.createElement('dt'), dd = document.createElement('dd');
     dt.append(...chips);
@@ -20,6 +21,6 @@ export function showLegend(into) {
     entry([chip(colour, '')], `${name}: ${text}`);
   entry([chip(selection, 'full')], 'around a curve: selected; its pivots are dots');
   entry([chip(seed, 'full')], 'around a curve or across it, in the playback: a seed that has just appeared');
-  entry(scheme('light').parts.slice(0, 3).map(c => chip(`#${c.getHexString()}`, 'full')),
+  entry(scheme(theme).parts.slice(0, 3).map(c => chip(`#${c.getHexString()}`, 'full')),
     'parts between the curves that are shown; the colours tell neighbours apart');
 }

@@ -101,6 +101,7 @@ function refresh() {
   list.update(isShown, represented(), state.selected);
   for (const [name, isOn] of [['parts', state.showsParts], ['edges', edgesAreShown()]])
     document.getElementById(name).setAttribute('aria-pressed', String(isOn));
+  showLegend(document.getElementById('colours'), theme.name);
   if (!stage)
     return;
   const colours = scheme(theme.name);
@@ -229,7 +230,6 @@ function follow() {
     select(asked.select - 1);
 }
 
-showLegend(document.getElementById('colours'));
 follow();
 window.addEventListener('hashchange', follow);
 
