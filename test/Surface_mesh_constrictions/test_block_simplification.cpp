@@ -15,7 +15,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_block_simplification {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using SMC::Index;
@@ -169,4 +169,4 @@ TEST(BlockSimplification, FansAtABorderVertexAreLinked)
   EXPECT_EQ(neighbours, (std::set<std::size_t>{1, 2, 3, 4}));
 }
 
-} // namespace
+} // namespace test_block_simplification

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_concurrency {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 
@@ -79,4 +79,4 @@ TEST(Concurrency, AVisitorIsCalledByOneThreadAtATimeAndItsStepsGrow)
   EXPECT_TRUE(is_sorted);
 }
 
-} // namespace
+} // namespace test_concurrency

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_exports {
 
 using nlohmann::json;
 using program_fixture::Program;
@@ -152,4 +152,4 @@ TEST_F(Exports, parts_for_vtk)
   }
 }
 
-} // namespace
+} // namespace test_exports

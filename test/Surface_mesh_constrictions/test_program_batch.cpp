@@ -33,7 +33,7 @@
 #endif
 #endif
 
-namespace {
+namespace test_program_batch {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -468,4 +468,4 @@ TEST_F(Batch, wrong_usage)
     expect_wrong_usage(arguments);
 }
 
-} // namespace
+} // namespace test_program_batch

@@ -120,11 +120,10 @@ void write_parts(const Options& options, const Report& report, const Parts& part
     write_to_standard_output(parts_as_table(parts));
 }
 
+// Of the curves of a page that are shown at first.
 double minimum_prominence(const Options& options)
 {
-  return options.selection.all
-             ? 0
-             : options.selection.minimum_prominence.value_or(CGAL::Surface_mesh_constrictions::default_minimum_prominence);
+  return options.selection.minimum_prominence.value_or(CGAL::Surface_mesh_constrictions::default_minimum_prominence);
 }
 
 // The curves of a page: the weaker ones of its slider, too.

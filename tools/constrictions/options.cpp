@@ -175,7 +175,7 @@ void add_view_options(CLI::App& command, Options& options)
   command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
                             "prove nothing with exact arithmetic: curves rest on rounded numbers");
   command.add_flag("--quiet", options.quiet, "show no progress bar");
-  command.footer("\nThe page first shows what detect reports. A slider shows weaker curves, down to a prominence of 0.01.\n");
+  command.footer("\nA slider in the page shows more curves: weaker ones, down to a prominence of 0.01, or all with --all.\n");
 }
 
 void add_selection_options(CLI::App& command, Selection& selection)

@@ -68,7 +68,6 @@ public:
       for(Index f : s.start.faces)
         s.touched.emplace_back(f, 0.);
       s.length = length;
-      s.length_beyond.assign(m_other.size(), 0);
     }
   }
 
@@ -88,16 +87,10 @@ public:
       }
     }
     ++side.level;
-    std::fill(side.length_beyond.begin(), side.length_beyond.end(), 0.);
+    side.pieces = side.lengths.lengths(side.level);
     side.length = 0;
-    for(Index c = 0; c < side.lengths.number_of_classes(); ++c)
-    {
-      const double length = side.lengths.length(c, side.level);
-      side.length += length;
-      if(length > 0)
-        for(Index a : m_class.classes().curves(c))
-          side.length_beyond[a] += length;
-    }
+    for(const std::pair<std::size_t, double>& piece : side.pieces)
+      side.length += piece.second;
     return side.length;
   }
 
@@ -111,11 +104,13 @@ public:
   template <class Function>
   void for_each_covered(const Function& f) const
   {
+    const std::array<double, 2> reached = {{this->reached(0), this->reached(1)}};
     for(Index c : m_covered)
     {
-      bool is_behind = m_class.is_consistent(c);
+      bool is_behind = true;
       for(std::size_t s = 0; is_behind && s < 2; ++s)
-        is_behind = m_other[c].furthest[s] <= m_scale.level(m_sides[s].level);
+        is_behind = m_other[c].furthest[s] <= reached[s];
+      is_behind = is_behind && m_class.is_consistent(c);
       if(is_behind)
         f(c);
     }
@@ -130,11 +125,12 @@ public:
   const std::vector<Index>& crossed_by_start() const { return m_crossed; }
 
   // If the sweep stops at a curve that has been swept over, instead of going on behind it: the length of what else is
-  // left of the level sets. `s` is the side on which the start, swept, would become that curve.
+  // left of the level sets. `s` is the side on which the start, swept, would become that curve. Linear in the number of
+  // classes that the level sets run through, up to a logarithm.
   double rest(Index curve, std::size_t s) const
   {
     const Side &near = m_sides[s], &far = m_sides[1 - s];
-    return (std::max)(near.length - near.length_beyond[curve], 0.) + far.length_beyond[curve];
+    return (std::max)(near.length - length_beyond(near, curve), 0.) + length_beyond(far, curve);
   }
 
   // the distance of the furthest point of a curve that has been swept over
@@ -166,7 +162,7 @@ private:
     Level_lengths lengths;
     std::size_t level = 0;             // the last that is complete
     double length = 0;                 // of its level set
-    std::vector<double> length_beyond; // of the parts of that on the other side of each curve
+    std::vector<std::pair<std::size_t, double> > pieces; // of that: classes and lengths
     bool used_up = false;              // every vertex that can be reached is settled
     Front_start start;
     std::size_t number_settled = 0; // of the vertices beside the start, from the beginning of the list
@@ -180,6 +176,16 @@ private:
     std::array<double, 2> furthest; // of those that are, on each side
     bool is_beside_start;
   };
+
+  // The length of those pieces of a level set that lie on the other side of a curve.
+  double length_beyond(const Side& side, Index curve) const
+  {
+    double sum = 0;
+    for(const std::pair<std::size_t, double>& piece : side.pieces)
+      if(m_class.classes().is_beyond(static_cast<Index>(piece.first), curve))
+        sum += piece.second;
+    return sum;
+  }
 
   // The distance up to which the lengths of a side's level sets are complete.
   double complete(std::size_t s)

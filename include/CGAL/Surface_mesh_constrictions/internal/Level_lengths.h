@@ -52,13 +52,17 @@ class Level_lengths
 public:
   typedef std::array<std::pair<Vector3, double>, 3> Triangle; // corners with their values
 
-  void clear() { m_lengths.clear(); }
-
-  std::size_t number_of_classes() const { return m_lengths.size(); }
-
-  double length(std::size_t c, std::size_t level) const
+  // The lengths of a level set in those classes in which it is longer than 0, in ascending order of the classes.
+  std::vector<std::pair<std::size_t, double> > lengths(std::size_t level) const
   {
-    return level < m_lengths[c].size() ? m_lengths[c][level] : 0;
+    std::vector<std::pair<std::size_t, double> > result;
+    if(level >= m_classes.size())
+      return result;
+    for(std::size_t c : m_classes[level])
+      if(m_lengths[c][level] > 0)
+        result.emplace_back(c, m_lengths[c][level]);
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   // Constant but for the number of levels that the triangle spans.
@@ -86,7 +90,14 @@ public:
       if(d > high)
         return;
       if(lengths.size() <= k)
-        lengths.resize(k + 1, 0);
+        lengths.resize(k + 1, unset);
+      if(lengths[k] == unset)
+      {
+        lengths[k] = 0;
+        if(m_classes.size() <= k)
+          m_classes.resize(k + 1);
+        m_classes[k].push_back(c);
+      }
       lengths[k] += longest * (d < middle ? (d - low) / (middle - low)
                                : high > middle ? (high - d) / (high - middle)
                                                : 1);
@@ -94,7 +105,10 @@ public:
   }
 
 private:
-  std::vector<std::vector<double> > m_lengths; // of a class, of a level
+  static constexpr double unset = -1;
+
+  std::vector<std::vector<double> > m_lengths;      // of a class, of a level
+  std::vector<std::vector<std::size_t> > m_classes; // of a level, those whose length is set
 };
 
 } // namespace internal

@@ -40,6 +40,9 @@ public:
     return std::binary_search(m_sets[c].begin(), m_sets[c].end(), curve);
   }
 
+  // Stands for the curves that lie between two classes: the same for the same curves.
+  std::uint64_t difference(Index c, Index d) const { return m_hashes[c] ^ m_hashes[d]; }
+
   // The curves that lie between some of these classes.
   std::vector<Index> curves_between(const std::vector<Index>& classes) const
   {

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -25,7 +27,7 @@ public:
   {
     ++m_sweep;
     m_classes.restart();
-    m_inconsistent.clear();
+    m_compared.clear();
   }
 
   const Side_classes& classes() const { return m_classes; }
@@ -55,27 +57,29 @@ public:
   }
 
   // whether all ways to the same vertex were found to cross a curve equally often, but for a multiple of two
-  bool is_consistent(Index curve) const
-  {
-    return !std::binary_search(m_inconsistent.begin(), m_inconsistent.end(), curve);
-  }
+  bool is_consistent(Index curve) const { return curve >= m_wrong_in.size() || m_wrong_in[curve] != m_sweep; }
 
 private:
   void compare(Index c, Index d)
   {
     if(c == d)
       return;
-    std::vector<Index> wrong, all;
+    if(!m_compared.insert(m_classes.difference(c, d)).second)
+      return;
+    std::vector<Index> wrong;
     std::set_symmetric_difference(m_classes.curves(c).begin(), m_classes.curves(c).end(), m_classes.curves(d).begin(),
                                   m_classes.curves(d).end(), std::back_inserter(wrong));
-    std::set_union(m_inconsistent.begin(), m_inconsistent.end(), wrong.begin(), wrong.end(), std::back_inserter(all));
-    m_inconsistent.swap(all);
+    if(!wrong.empty() && m_wrong_in.size() <= wrong.back())
+      m_wrong_in.resize(wrong.back() + 1, 0);
+    for(Index a : wrong)
+      m_wrong_in[a] = m_sweep;
   }
 
   Side_classes m_classes;
   std::vector<Index> m_class;    // of a vertex
   std::vector<Index> m_sweep_of; // the sweep that this was in
-  std::vector<Index> m_inconsistent; // curves, ascending
+  std::vector<Index> m_wrong_in; // of a curve: the last sweep in which it was found to be inconsistent
+  std::unordered_set<std::uint64_t> m_compared; // differences of classes that have been looked at
   Index m_sweep = 0;
 };
 
