@@ -212,19 +212,19 @@ protected:
 
 TEST_F(View, holds_what_detect_finds)
 {
-  for(const std::string& mesh : {cactus, eight, std::string("dumbbell.off")})
-    for(const char* options : {"", " --policy length", " --seeds triangles --max 2"})
-    {
-      const Page page = view(mesh + options);
-      const json expected = json::parse(run("detect " + mesh + options + " --min-prominence 0.01 --json - --quiet").out);
-      const json& curves = page.data.at("curves");
-      ASSERT_EQ(curves.size(), expected.at("constrictions").size());
-      EXPECT_FALSE(curves.empty());
-      for(std::size_t c = 0; c < curves.size(); ++c)
-        for(const char* key : {"length", "prominence", "dominated_by", "side", "certificate", "separating"})
-          EXPECT_EQ(curves[c].at(key), expected.at("constrictions")[c].at(key)) << key << " of " << c;
-      EXPECT_EQ(page.data.at("prominence"), 0.05);
-    }
+  for(const std::string& arguments : {cactus, cactus + " --policy length", cactus + " --seeds triangles --max 2", eight,
+                                      std::string("dumbbell.off")})
+  {
+    const Page page = view(arguments);
+    const json expected = json::parse(run("detect " + arguments + " --min-prominence 0.01 --json - --quiet").out);
+    const json& curves = page.data.at("curves");
+    ASSERT_EQ(curves.size(), expected.at("constrictions").size());
+    EXPECT_FALSE(curves.empty());
+    for(std::size_t c = 0; c < curves.size(); ++c)
+      for(const char* key : {"length", "prominence", "dominated_by", "side", "certificate", "separating"})
+        EXPECT_EQ(curves[c].at(key), expected.at("constrictions")[c].at(key)) << key << " of " << c;
+    EXPECT_EQ(page.data.at("prominence"), 0.05);
+  }
 }
 
 TEST_F(View, thresholds)

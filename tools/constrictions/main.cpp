@@ -11,10 +11,9 @@
 #include "view_page.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <unistd.h>
-
-#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <algorithm>
 #include <chrono>
