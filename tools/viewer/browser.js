@@ -6,9 +6,13 @@ import {existsSync} from 'node:fs';
 // Debian's, unless CHROMIUM names another one.
 export const executablePath = process.env.CHROMIUM ?? ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
 
+// It may be slow on a machine with other work to do.
+export const patience = 120_000; // milliseconds
+
 export function openBrowser() {
   return chromium.launch({
     executablePath,
+    timeout: patience,
     args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
   });
 }

@@ -6,7 +6,7 @@
 // side.
 import {writeFileSync} from 'node:fs';
 import {pathToFileURL} from 'node:url';
-import {openBrowser} from './browser.js';
+import {openBrowser, patience} from './browser.js';
 
 const margin = 8;
 
@@ -36,6 +36,7 @@ try {
   const pictures = [];
   for (const address of addresses) {
     const tab = await browser.newPage({viewport: {width, height}});
+    tab.setDefaultTimeout(patience);
     await tab.goto(pathToFileURL(page).href + address);
     await tab.evaluate(() => window.viewer.settled());
     const clip = /[#&]panel=0/.test(address) ? await tab.evaluate(drawnBox, margin) : undefined;

@@ -9,7 +9,7 @@ import {execFileSync} from 'node:child_process';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {tmpdir} from 'node:os';
-import {openBrowser} from '../browser.js';
+import {openBrowser, patience} from '../browser.js';
 
 const program = process.env.CONSTRICTIONS_PROGRAM, meshes = process.env.CONSTRICTIONS_MESH_DIR;
 const folder = mkdtempSync(join(tmpdir(), 'constrictions-'));
@@ -24,6 +24,7 @@ function write(mesh, ...options) {
 // Opens a page; whatever it says on the console, and every address that it asks for, is noted.
 async function open(page, hash = '', viewport = {width: 800, height: 500}, options = {}) {
   const tab = await browser.newPage({viewport, ...options});
+  tab.setDefaultTimeout(patience);
   tab.said = [];
   tab.asked = [];
   tab.on('console', message => tab.said.push(`${message.type()}: ${message.text()}`));
