@@ -310,6 +310,15 @@ TEST(SeedSources, AUserLoopIsTightened)
   EXPECT_EQ(result.front().seeds().front().origin, Seed_origin::USER);
 }
 
+TEST(SeedSources, AUserLoopThatIsNoPathOfEdgesIsRefused)
+{
+  const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.02, 2));
+  SMC::Detection_statistics s;
+  for(const std::vector<Index>& loop : {std::vector<Index>{0, 1}, std::vector<Index>{0, 1, 100},
+                                        std::vector<Index>{0, 1, 1000000000}})
+    EXPECT_THROW(detect(mesh, SMC::Given_seeds({loop}), s), SMC::Invalid_input);
+}
+
 TEST(SeedSources, ConvexSurfacesHaveNoConstriction)
 {
   for(unsigned seed = 0; seed < 3; ++seed)

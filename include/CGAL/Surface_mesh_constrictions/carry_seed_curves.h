@@ -67,7 +67,8 @@ OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   Merging_parameters merging = parameters.merging;
   const auto merge_on = [&](std::size_t level) {
     std::vector<Merged_seed> merged;
-    internal::merge_seed_curves<ConcurrencyTag>(pm, curves, level, merging, coarse ? &*coarse : nullptr, std::back_inserter(merged));
+    internal::merge_seed_curves<ConcurrencyTag>(pm, curves, level, merging, coarse ? &*coarse : nullptr,
+                                                std::back_inserter(merged));
     visitor.on_level(level);
     std::vector<Seed_curve> kept;
     std::vector<std::vector<std::size_t> > kept_for;

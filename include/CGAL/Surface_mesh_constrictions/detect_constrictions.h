@@ -184,7 +184,8 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       [&](const auto&... policies) {
         static_assert(sizeof...(policies) > 0, "simplification_policies is empty");
         std::size_t left = sizeof...(policies);
-        (surface.emplace(internal::carry_seeds_to_input<ConcurrencyTag>(imported, --left == 0, policies, np, visitor, carried, coarse)),
+        (surface.emplace(internal::carry_seeds_to_input<ConcurrencyTag>(imported, --left == 0, policies, np, visitor,
+                                                                        carried, coarse)),
          ...);
       },
       internal::policies_asked_for(np));

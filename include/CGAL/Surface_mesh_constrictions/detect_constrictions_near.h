@@ -109,9 +109,10 @@ OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& lo
   const auto selection = parameters::minimum_prominence(
       minimum_prominence, parameters::maximum_number_of_constrictions(no_limit, kept));
   std::vector<Constriction<TriangleMesh> > found;
-  detect_constrictions<ConcurrencyTag>(tm, std::back_inserter(found),
-                       parameters::seed_sources(Local_cut_locus_source(query.nearest_vertex()),
-                                                parameters::first_constriction_only(false, selection)));
+  detect_constrictions<ConcurrencyTag>(
+      tm, std::back_inserter(found),
+      parameters::seed_sources(Local_cut_locus_source(query.nearest_vertex()),
+                               parameters::first_constriction_only(false, selection)));
 
   std::vector<double> nearness;
   for(const Constriction<TriangleMesh>& c : found)

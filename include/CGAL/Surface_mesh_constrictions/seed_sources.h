@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/internal/check_loop.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/section_seeds.h>
@@ -115,7 +116,7 @@ private:
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Seed source that writes given closed paths of edges of T^0. Vertices are numbered as they come in `vertices(tm)`.
-/// `detect_constrictions()` does not check the paths; `tighten_closed_curves()` takes loops that are checked.
+/// Throws `Invalid_input` if one is not a closed path of edges.
 ///
 /// \cgalModels{ConstrictionSeedSource}
 ///
@@ -130,9 +131,13 @@ public:
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level&, OutputIterator out) const
   {
-    if(pm.level() == 0)
-      for(const std::vector<Index>& loop : m_loops)
-        *out++ = Seed_curve{0, loop, Seed_origin::USER};
+    if(pm.level() != 0)
+      return out;
+    for(std::size_t i = 0; i < m_loops.size(); ++i)
+    {
+      internal::check_loop(pm, m_loops[i], i);
+      *out++ = Seed_curve{0, m_loops[i], Seed_origin::USER};
+    }
     return out;
   }
 
