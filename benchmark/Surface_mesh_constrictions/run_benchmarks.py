@@ -149,11 +149,12 @@ def main():
     arguments.out.mkdir(parents=True, exist_ok=True)
 
     rows = measure(programs / "detection_benchmark", arguments.meshes, arguments.repetitions)
-    tables = (("Detection", detection_table(rows)), ("Stages, one thread", stage_table(rows)),
-              ("Growth", growth_table(rows)),
-              ("Tightening", tightening_table(programs / "tightening_benchmark", arguments.meshes)))
-    (arguments.out / "performance.md").write_text("\n".join(f"## {title}\n\n" + "\n".join(lines) + "\n"
-                                                            for title, lines in tables))
+    tables = (("Detection", lambda: detection_table(rows)), ("Stages, one thread", lambda: stage_table(rows)),
+              ("Growth", lambda: growth_table(rows)),
+              ("Tightening", lambda: tightening_table(programs / "tightening_benchmark", arguments.meshes)))
+    with (arguments.out / "performance.md").open("w") as out:
+        for title, table in tables:
+            print(f"## {title}\n\n" + "\n".join(table()) + "\n", file=out, flush=True)
     plot(rows, arguments.out / "performance.svg")
 
 
