@@ -51,7 +51,9 @@ Loop loop_beside(const Mesh& mesh, const SMC::Constriction<Mesh>& curve)
   Loop loop;
   for(const auto& l : curve.locations())
   {
-    const Mesh::Vertex_index v = l.parameter < 0.5 ? mesh.source(l.halfedge) : mesh.target(l.halfedge);
+    const Mesh::Vertex_index v = l.is_pivot          ? l.vertex
+                                 : l.parameter < 0.5 ? mesh.source(l.halfedge)
+                                                     : mesh.target(l.halfedge);
     if(loop.empty() || loop.back() != v)
       loop.push_back(v);
   }
