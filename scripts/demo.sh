@@ -10,7 +10,7 @@ build="$project/build/demo"
 meshes="$project/data/meshes"
 results="$build/armadillo"
 
-"$project/scripts/setup.sh"
+"$project/scripts/setup.sh" --program
 "$project/scripts/fetch_meshes.sh" "$meshes"
 
 cmake -S "$project" -B "$build" -DCMAKE_BUILD_TYPE=Release -DWITH_TESTS=OFF -DWITH_EXAMPLES=OFF \

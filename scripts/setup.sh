@@ -1,34 +1,43 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what the build, the tests and the demonstration need, from Debian's packages (Debian 12 and 13). Where the
-# packages for the viewer cannot be had the program is built, or tested, without it.
+# Installs, from Debian's packages (Debian 12 and 13), what building the program needs and, but for --program, what the
+# tests need. Where the packages for the viewer, or for the engines that run many meshes, cannot be had, the program is
+# built, or tested, without them.
 #
-#   scripts/setup.sh [PACKAGE...]      and these packages besides
+#   scripts/setup.sh --program         what the program needs
+#   scripts/setup.sh [PACKAGE...]      what the tests need, too, and these packages
 set -euo pipefail
 
 packages=(
   build-essential
   ca-certificates
   cmake
-  doxygen
-  libbenchmark-dev
   libcgal-dev
   libcli11-dev
   libeigen3-dev
   libgmp-dev
-  libgtest-dev
   libmpfr-dev
-  libopenmesh-dev
   libtbb-dev
-  munge
   nlohmann-json3-dev
-  parallel
-  python3
-  python3-numpy
-  python3-scipy
-  slurm-wlm
-  "$@"
 )
+optional=()
+# Programs, which may come from elsewhere. Debian's npm needs Debian's nodejs.
+command -v npm > /dev/null || optional+=(nodejs npm)
+
+if [ "${1:-}" != --program ]; then
+  packages+=(
+    doxygen
+    libbenchmark-dev
+    libgtest-dev
+    libopenmesh-dev
+    python3
+    python3-numpy
+    python3-scipy
+    "$@"
+  )
+  optional+=(munge parallel slurm-wlm)
+  command -v chromium > /dev/null || optional+=(chromium)
+fi
 
 is_installed() {
   [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2> /dev/null)" = installed ]
@@ -38,13 +47,11 @@ missing=()
 for package in "${packages[@]}"; do
   is_installed "$package" || missing+=("$package")
 done
-
-# Programs, which may come from elsewhere. Debian's npm needs Debian's nodejs.
-missing_for_viewer=()
-command -v npm > /dev/null || missing_for_viewer+=(nodejs npm)
-command -v chromium > /dev/null || missing_for_viewer+=(chromium)
-
-if [ ${#missing[@]} -eq 0 ] && [ ${#missing_for_viewer[@]} -eq 0 ]; then
+missing_optional=()
+for package in "${optional[@]}"; do
+  is_installed "$package" || missing_optional+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ] && [ ${#missing_optional[@]} -eq 0 ]; then
   echo "All packages are installed."
   exit 0
 fi
@@ -58,12 +65,12 @@ apt_get() {
     < /dev/null
 }
 
-echo "Installing: ${missing[*]} ${missing_for_viewer[*]}"
+echo "Installing: ${missing[*]} ${missing_optional[*]}"
 apt_get update --quiet=2
 if [ ${#missing[@]} -gt 0 ]; then
   apt_get install --quiet=2 --yes --no-install-recommends "${missing[@]}"
 fi
-if [ ${#missing_for_viewer[@]} -gt 0 ]; then
-  apt_get install --quiet=2 --yes --no-install-recommends "${missing_for_viewer[@]}" ||
-    echo "Not installed: ${missing_for_viewer[*]}. The viewer is left out, or not tested." >&2
+if [ ${#missing_optional[@]} -gt 0 ]; then
+  apt_get install --quiet=2 --yes --no-install-recommends "${missing_optional[@]}" ||
+    echo "Not installed: ${missing_optional[*]}. What needs them is left out, or not tested." >&2
 fi
