@@ -198,18 +198,25 @@ TEST_F(Program, policies)
 
 TEST_F(Program, thresholds_select)
 {
-  const auto count = [this](const std::string& options) {
+  const auto lengths = [this](const std::string& options) {
     const Result r = run("detect dumbbell.off --json - " + options);
     EXPECT_EQ(r.exit_code, 0) << options;
-    return json::parse(r.out)["constrictions"].size();
+    std::vector<double> result;
+    for(const json& curve : json::parse(r.out)["constrictions"])
+      result.push_back(curve["length"]);
+    return result;
   };
+  const auto count = [&lengths](const std::string& options) { return lengths(options).size(); };
   EXPECT_EQ(count("--max 0"), 0u);
   EXPECT_EQ(count("--max 3"), 1u);
   EXPECT_EQ(count("--min-prominence 1"), 1u);
   EXPECT_EQ(count("--min-prominence 100"), 0u);
   EXPECT_EQ(count("--max-ratio 0.01"), 0u);
-  // the tube, and some of what runs over corners of the boxes, where many ways are equally long
-  EXPECT_GE(count("--max-ratio 0.01 --min-prominence 100 --all"), 3u);
+  const std::vector<double> all = lengths("--max-ratio 0.01 --min-prominence 100 --all");
+  ASSERT_EQ(all.size(), 3u) << "the tube, and what runs along the body over the flat sides of the boxes";
+  EXPECT_NEAR(all[0], 4, 1e-12);
+  EXPECT_NEAR(all[1], 26, 1e-12);
+  EXPECT_NEAR(all[2], 26, 1e-12);
 }
 
 // Two tubes, of width 1 and 2, between three boxes.
