@@ -201,8 +201,9 @@ TEST_F(Program, thresholds_select)
   const auto lengths = [this](const std::string& options) {
     const Result r = run("detect dumbbell.off --json - " + options);
     EXPECT_EQ(r.exit_code, 0) << options;
+    const json report = json::parse(r.out);
     std::vector<double> result;
-    for(const json& curve : json::parse(r.out)["constrictions"])
+    for(const json& curve : report["constrictions"])
       result.push_back(curve["length"]);
     return result;
   };
