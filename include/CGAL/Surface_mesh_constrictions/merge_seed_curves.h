@@ -44,6 +44,10 @@ struct Merging_parameters
   double maximum_isoperimetric_ratio = (std::numeric_limits<double>::infinity)();
   /// the least prominence of a copy among the others, see `compute_prominences()`; 0 or less for any
   double minimum_prominence = 0;
+  /// whether, if a prominence is asked for, copies are kept that cross many shorter ones there and back, or are composed
+  /// of shorter ones, see `parameters::crossing_constrictions()`: where many bumps stand side by side there are
+  /// thousands of them
+  bool crossing = true;
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -124,7 +128,7 @@ inline std::vector<Index> curves_asked_for(const Curve_network& network, const L
     std::vector<Prominence> p(simple.size());
     std::vector<bool> is_unknown(simple.size(), false);
     if(coarse == nullptr)
-      p = prominences(pm, traces);
+      p = prominences(pm, traces, parameters.crossing);
     else
     {
       std::vector<double> lengths;
@@ -136,7 +140,7 @@ inline std::vector<Index> curves_asked_for(const Curve_network& network, const L
         for(Index& v : passed.back())
           v = level.original(v);
       }
-      is_unknown = add_coarse_prominences(*coarse, lengths, passed, p);
+      is_unknown = add_coarse_prominences(*coarse, lengths, passed, parameters.crossing, p);
     }
     for(std::size_t i = 0; i < simple.size(); ++i)
       if(is_unknown[i] || p[i].value >= parameters.minimum_prominence)

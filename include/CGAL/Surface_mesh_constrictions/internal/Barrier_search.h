@@ -48,15 +48,23 @@ public:
     m_lengths.push_back(length);
   }
 
-  // Searches from a curve that is no shorter than those that are known.
-  // Linear, up to a logarithm, in the number of faces swept.
-  Barrier search(const std::vector<Trace_point>& trace, double length)
+  // Starts at a curve that is no shorter than those that are known. Linear, up to a logarithm, in the edges that it
+  // crosses and the curves that cross those.
+  void start(const std::vector<Trace_point>& trace, double length)
   {
     m_length = length;
     m_highest = {{length, length}};
     m_state = {{State::CLIMBING, State::CLIMBING}};
     m_lowest = {(std::numeric_limits<double>::infinity)(), null_index};
     m_sweep.start(trace, length);
+  }
+
+  // the known curves that the one that the search starts at crosses, there and back
+  const std::vector<Index>& crossed() const { return m_sweep.crossed_by_start(); }
+
+  // Searches. Once after each start; linear, up to a logarithm, in the number of faces swept.
+  Barrier search()
+  {
     for(;;)
     {
       std::size_t s = m_highest[1] < m_highest[0] ? 1 : 0;
@@ -73,9 +81,6 @@ public:
       slide();
     return m_lowest;
   }
-
-  // the known curves that the one last searched from crosses, there and back
-  const std::vector<Index>& crossed() const { return m_sweep.crossed_by_start(); }
 
 private:
   // A side is climbing until its level sets get shorter than the curve, and then falling until it is known where to.

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Front_start.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_lengths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Side_classes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Vertex_classes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
@@ -46,7 +47,7 @@ public:
   {
     m_scale = Level_scale(length);
     m_front.restart();
-    m_class.restart();
+    m_class.restart(m_crossings.number_of_curves());
     m_without_class = 0;
     m_covered.clear();
     m_crossed.clear();
@@ -236,21 +237,20 @@ private:
       classes[0].push_back(m_class[m_pm.target(h)]);
       classes[1].push_back(m_class[m_pm.source(h)]);
     }
-    std::vector<Index> on_both;
+    Side_classes::Curves beside(m_crossings.number_of_curves());
     for(std::vector<Index>& c : classes)
     {
       std::sort(c.begin(), c.end());
       c.erase(std::unique(c.begin(), c.end()), c.end());
-      for(Index a : m_class.classes().curves_between(c))
-        on_both.push_back(a);
       for(Index k : c)
-        for(Index a : m_class.classes().curves(k))
-          m_other[a].is_beside_start = true;
+        beside |= m_class.classes().curves(k);
     }
-    std::sort(on_both.begin(), on_both.end());
-    for(std::size_t i = 1; i < on_both.size(); ++i)
-      if(on_both[i] == on_both[i - 1] && m_class.is_consistent(on_both[i]))
-        m_crossed.push_back(on_both[i]);
+    for_each_curve(beside, [&](Index a) { m_other[a].is_beside_start = true; });
+    for_each_curve(m_class.classes().curves_between(classes[0]) & m_class.classes().curves_between(classes[1]),
+                   [&](Index a) {
+                     if(m_class.is_consistent(a))
+                       m_crossed.push_back(a);
+                   });
   }
 
   // The pieces of the faces that the start cuts, once their corners are settled.

@@ -4,12 +4,11 @@
 
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 
-#include <algorithm>
+#include <boost/dynamic_bitset.hpp>
+
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -21,45 +20,40 @@ namespace internal {
 class Side_classes
 {
 public:
-  Side_classes() { restart(); }
+  typedef boost::dynamic_bitset<> Curves; // a set
 
-  void restart()
+  Side_classes() { restart(0); }
+
+  void restart(std::size_t number_of_curves)
   {
     m_numbers.clear();
-    m_sets.assign(1, {});
+    m_sets.assign(1, Curves(number_of_curves));
     m_hashes.assign(1, 0);
     m_numbers.emplace(0, 0);
   }
 
   std::size_t size() const { return m_sets.size(); }
 
-  const std::vector<Index>& curves(Index c) const { return m_sets[c]; }
+  const Curves& curves(Index c) const { return m_sets[c]; }
 
-  bool is_beyond(Index c, Index curve) const
-  {
-    return std::binary_search(m_sets[c].begin(), m_sets[c].end(), curve);
-  }
+  bool is_beyond(Index c, Index curve) const { return m_sets[c].test(curve); }
 
   // Stands for the curves that lie between two classes: the same for the same curves.
   std::uint64_t difference(Index c, Index d) const { return m_hashes[c] ^ m_hashes[d]; }
 
-  // The curves that lie between some of these classes.
-  std::vector<Index> curves_between(const std::vector<Index>& classes) const
+  // The curves that lie between some of these classes, one at least.
+  Curves curves_between(const std::vector<Index>& classes) const
   {
-    std::vector<Index> any, all, result;
+    Curves any = m_sets[classes.front()], all = any;
     for(Index c : classes)
     {
-      std::vector<Index> u, i;
-      std::set_union(any.begin(), any.end(), m_sets[c].begin(), m_sets[c].end(), std::back_inserter(u));
-      std::set_intersection(all.begin(), all.end(), m_sets[c].begin(), m_sets[c].end(), std::back_inserter(i));
-      any.swap(u);
-      all = c == classes.front() ? m_sets[c] : i;
+      any |= m_sets[c];
+      all &= m_sets[c];
     }
-    std::set_difference(any.begin(), any.end(), all.begin(), all.end(), std::back_inserter(result));
-    return result;
+    return any - all;
   }
 
-  // The class on the other side of these curves, in ascending order. Linear in their number, but for new classes.
+  // The class on the other side of these curves. Linear in their number; for a new class in that of all curves.
   Index across(Index c, const std::vector<Index>& curves)
   {
     if(curves.empty())
@@ -70,10 +64,9 @@ public:
     const auto inserted = m_numbers.emplace(hash, static_cast<Index>(m_sets.size()));
     if(inserted.second)
     {
-      std::vector<Index> set;
-      std::set_symmetric_difference(m_sets[c].begin(), m_sets[c].end(), curves.begin(), curves.end(),
-                                    std::back_inserter(set));
-      m_sets.push_back(std::move(set));
+      m_sets.push_back(m_sets[c]);
+      for(Index a : curves)
+        m_sets.back().flip(a);
       m_hashes.push_back(hash);
     }
     return inserted.first->second;
@@ -91,8 +84,15 @@ private:
 
   std::unordered_map<std::uint64_t, Index> m_numbers; // by the hash of a set
   std::vector<std::uint64_t> m_hashes;
-  std::vector<std::vector<Index> > m_sets;
+  std::vector<Curves> m_sets;
 };
+
+template <class Function>
+void for_each_curve(const Side_classes::Curves& curves, const Function& f)
+{
+  for(std::size_t a = curves.find_first(); a != Side_classes::Curves::npos; a = curves.find_next(a))
+    f(static_cast<Index>(a));
+}
 
 } // namespace internal
 } // namespace Surface_mesh_constrictions

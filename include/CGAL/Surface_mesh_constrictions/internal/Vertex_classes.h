@@ -4,10 +4,8 @@
 
 #include <CGAL/Surface_mesh_constrictions/internal/Side_classes.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <unordered_set>
 #include <vector>
 
@@ -15,7 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The classes of vertices with respect to some curves. Restarted in constant time.
+// The classes of vertices with respect to some curves. Restarted in constant time, but for new curves.
 class Vertex_classes
 {
 public:
@@ -23,10 +21,11 @@ public:
     : m_class(number_of_vertices), m_sweep_of(number_of_vertices, 0)
   {}
 
-  void restart()
+  void restart(std::size_t number_of_curves)
   {
     ++m_sweep;
-    m_classes.restart();
+    m_classes.restart(number_of_curves);
+    m_wrong_in.resize(number_of_curves, 0);
     m_compared.clear();
   }
 
@@ -57,7 +56,7 @@ public:
   }
 
   // whether all ways to the same vertex were found to cross a curve equally often, but for a multiple of two
-  bool is_consistent(Index curve) const { return curve >= m_wrong_in.size() || m_wrong_in[curve] != m_sweep; }
+  bool is_consistent(Index curve) const { return m_wrong_in[curve] != m_sweep; }
 
 private:
   void compare(Index c, Index d)
@@ -66,13 +65,7 @@ private:
       return;
     if(!m_compared.insert(m_classes.difference(c, d)).second)
       return;
-    std::vector<Index> wrong;
-    std::set_symmetric_difference(m_classes.curves(c).begin(), m_classes.curves(c).end(), m_classes.curves(d).begin(),
-                                  m_classes.curves(d).end(), std::back_inserter(wrong));
-    if(!wrong.empty() && m_wrong_in.size() <= wrong.back())
-      m_wrong_in.resize(wrong.back() + 1, 0);
-    for(Index a : wrong)
-      m_wrong_in[a] = m_sweep;
+    for_each_curve(m_classes.curves(c) ^ m_classes.curves(d), [&](Index a) { m_wrong_in[a] = m_sweep; });
   }
 
   Side_classes m_classes;

@@ -39,6 +39,10 @@ namespace internal {
 // asked for by this factor.
 constexpr double coarse_selection_factor = 2;
 
+// How many seeds are kept of those that become equal there, if constrictions are selected. More lead to more constrictions
+// that hardly differ, and one of those is selected.
+constexpr std::size_t kept_for_selection = 4;
+
 // What the selection that the named parameters ask for makes worth carrying.
 template <class NamedParameters>
 Carrying_parameters carrying_parameters(const NamedParameters& np)
@@ -52,8 +56,10 @@ Carrying_parameters carrying_parameters(const NamedParameters& np)
       choose_parameter(get_parameter(np, internal_np::minimum_prominence), default_minimum_prominence);
   const double ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                         default_maximum_isoperimetric_ratio);
+  result.merging.kept = kept_for_selection;
   result.merging.minimum_prominence = (std::min)(prominence, default_minimum_prominence) / coarse_selection_factor;
   result.merging.maximum_isoperimetric_ratio = ratio * coarse_selection_factor;
+  result.merging.crossing = choose_parameter(get_parameter(np, internal_np::crossing_constrictions), false);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Barrier_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Crossing_filter.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -30,6 +32,9 @@ namespace internal {
 // A curve that is less prominent is not looked for by sweeps from longer ones: they slide to the same place, or nearly.
 // On a tube most closed geodesics are such, and each that is looked for costs time in all later sweeps.
 constexpr double negligible_prominence = 0.01;
+
+// That of a curve that is not measured because of those that it crosses.
+constexpr double no_prominence = -1;
 
 // A barrier relative to the curve's length, less one, and what else the search found.
 struct Prominence
@@ -57,9 +62,10 @@ inline std::vector<Index> by_length(const std::vector<double>& lengths)
 }
 
 // Prominences of those closed geodesics for which `asked` is set, among each other; nothing is written for the others,
-// which are looked for when it comes to crossings, but dominate none. In the order of the curves.
+// which are looked for when it comes to crossings, but dominate none. Unless `with_crossing`, those that a
+// `Crossing_filter` does not let pass get none. In the order of the curves.
 inline void add_prominences(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces,
-                            const std::vector<bool>& asked, std::vector<Prominence>& result)
+                            const std::vector<bool>& asked, bool with_crossing, std::vector<Prominence>& result)
 {
   std::vector<double> lengths;
   for(const std::vector<Trace_point>& t : traces)
@@ -73,26 +79,40 @@ inline void add_prominences(const Progressive_mesh& pm, const std::vector<std::v
   for(Index i = 0; i < traces.size(); ++i)
     if(!asked[i])
       add(i, (std::numeric_limits<double>::infinity)());
+  std::optional<Crossing_filter> filter;
+  if(!with_crossing)
+    filter.emplace(pm, traces);
   for(Index i : by_length(lengths))
   {
     if(!asked[i])
       continue;
-    const Barrier b = search.search(traces[i], lengths[i]);
-    result[i].value = b.length / lengths[i] - 1;
-    result[i].dominated_by = b.dominating == null_index ? null_index : known[b.dominating];
+    search.start(traces[i], lengths[i]);
+    std::vector<Index> crosses;
     for(Index a : search.crossed())
-      result[i].crosses.push_back(known[a]);
-    if(result[i].value >= negligible_prominence)
-      add(i, lengths[i]);
+      crosses.push_back(known[a]);
+    if(filter && !filter->passes(i, crosses))
+    {
+      result[i] = {no_prominence, null_index, {}};
+      continue;
+    }
+    const Barrier b = search.search();
+    result[i] = {b.length / lengths[i] - 1, b.dominating == null_index ? null_index : known[b.dominating],
+                 std::move(crosses)};
+    if(result[i].value < negligible_prominence)
+      continue;
+    add(i, lengths[i]);
+    if(filter)
+      filter->keep(i);
   }
 }
 
-// Prominences of closed geodesics among each other, in their order.
+// Prominences of closed geodesics among each other, in their order, see `add_prominences()`.
 inline std::vector<Prominence> prominences(const Progressive_mesh& pm,
-                                           const std::vector<std::vector<Trace_point> >& traces)
+                                           const std::vector<std::vector<Trace_point> >& traces,
+                                           bool with_crossing = true)
 {
   std::vector<Prominence> result(traces.size());
-  add_prominences(pm, traces, std::vector<bool>(traces.size(), true), result);
+  add_prominences(pm, traces, std::vector<bool>(traces.size(), true), with_crossing, result);
   return result;
 }
 
@@ -104,7 +124,7 @@ constexpr double coarse_length_tolerance = 0.1;
 // shortest dominates the others. Returns for each curve whether it is not there; then nothing is written for it. Curves
 // are given by their lengths and by the vertices of T^0 that they pass.
 inline std::vector<bool> add_coarse_prominences(const Level_copy& coarse, const std::vector<double>& lengths,
-                                                const std::vector<std::vector<Index> >& passed,
+                                                const std::vector<std::vector<Index> >& passed, bool with_crossing,
                                                 std::vector<Prominence>& result)
 {
   const Progressive_mesh& surface = coarse.surface();
@@ -141,7 +161,7 @@ inline std::vector<bool> add_coarse_prominences(const Level_copy& coarse, const 
     is_missing[i] = true;
   }
 
-  std::vector<Prominence> of_coarse = prominences(surface, on_coarse);
+  std::vector<Prominence> of_coarse = prominences(surface, on_coarse, with_crossing);
   for(std::size_t i = 0; i < curves.size(); ++i)
   {
     Prominence& p = result[curves[i]] = std::move(of_coarse[i]);
@@ -166,9 +186,9 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Lev
     lengths.push_back(length(pm, t));
     passed.push_back(vertices_passed(pm, t));
   }
-  const std::vector<bool> is_missing = add_coarse_prominences(coarse, lengths, passed, result);
+  const std::vector<bool> is_missing = add_coarse_prominences(coarse, lengths, passed, true, result);
   if(std::find(is_missing.begin(), is_missing.end(), true) != is_missing.end())
-    add_prominences(pm, traces, is_missing, result);
+    add_prominences(pm, traces, is_missing, true, result);
   return result;
 }
 
