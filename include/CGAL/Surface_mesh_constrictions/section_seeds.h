@@ -30,8 +30,8 @@ namespace Surface_mesh_constrictions {
 /// \return the output iterator, past the last element that was written
 /// \cost O(size of T^0) for the ids, plus O(n) for each plane, n being the faces of the current surface, plus the output
 template <class OutputIterator>
-OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator out, std::size_t directions = 48,
-                                   std::size_t planes = 32)
+OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator out, std::size_t directions = 64,
+                                   std::size_t planes = 48)
 {
   const internal::Edge_graph graph(pm);
   internal::Sections sections(pm);
@@ -65,7 +65,7 @@ OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator ou
 /// \cost O(size of T^0) for the ids, plus O(n) for each section, n being the faces of the current surface, plus the output
 template <class OutputIterator>
 OutputIterator distance_section_seeds(const Progressive_mesh& pm, OutputIterator out, std::size_t vertices = 10,
-                                      std::size_t sections = 16)
+                                      std::size_t sections = 24)
 {
   const internal::Edge_graph graph(pm);
   const std::size_t n = graph.number_of_vertices();

@@ -169,7 +169,7 @@ class Cut_locus_source
 public:
   /// \param vertices the number of vertices of the surface that the loops are looked for on
   /// \param max_roots see `cut_locus_seeds()`
-  explicit Cut_locus_source(std::size_t vertices = 1000, std::size_t max_roots = 334)
+  explicit Cut_locus_source(std::size_t vertices = 1000, std::size_t max_roots = 167)
     : m_vertices(vertices), m_max_roots(max_roots)
   {}
 

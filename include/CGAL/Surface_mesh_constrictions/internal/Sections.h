@@ -5,15 +5,19 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
 
 #include <boost/container_hash/hash.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -21,13 +25,14 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Level sets of functions on the vertices of the current surface, as closed paths of edges: the boundary loops of the
-// faces none of whose vertices is above the level. No loop is given twice, whatever the functions.
+// faces none of whose vertices is above the level. Where a loop and one of the next level bound a tube between them, only
+// the shorter one is given: what is given is the shortest around. No loop is given twice, whatever the functions.
 class Sections
 {
 public:
   explicit Sections(const Progressive_mesh& pm)
-    : m_pm(pm), m_greatest(pm.number_of_face_ids(), 0), m_stamps(pm.number_of_halfedge_ids(), 0),
-      m_values(pm.number_of_vertex_ids(), 0)
+    : m_pm(pm), m_lengths(pm), m_values(pm.number_of_vertex_ids(), 0), m_slab(pm.number_of_face_ids(), 0),
+      m_is_walked(pm.number_of_halfedge_ids(), 0), m_loop_at(pm.number_of_halfedge_ids(), 0)
   {
     for(Index f = 0; f < pm.number_of_face_ids(); ++f)
       if(pm.is_face(f))
@@ -38,6 +43,48 @@ public:
   // are given by number in the graph; those that are not finite are above all levels. O(faces), plus the loops.
   template <class OutputIterator>
   OutputIterator cut(const Edge_graph& graph, const std::vector<double>& values, std::size_t levels, OutputIterator out)
+  {
+    if(!make_slabs(graph, values, levels))
+      return out;
+    m_loops.clear();
+    std::size_t below = 0; // the first loop of the level before
+    for(Index i = 0; i < levels; ++i)
+    {
+      const std::size_t first = m_loops.size();
+      ++m_stamp;
+      for(Index h : m_boundary[i])
+        if(m_is_walked[h] != m_stamp)
+          walk(h, i);
+      drop_longer(i, below, first);
+      below = first;
+    }
+    for(const Loop& loop : m_loops)
+    {
+      if(!loop.is_shortest || loop.halfedges.size() < 3)
+        continue;
+      std::vector<Index> path;
+      for(Index h : loop.halfedges)
+        path.push_back(m_pm.source(h));
+      make_canonical(path);
+      if(m_known.insert(path).second)
+        *out++ = Seed_curve{m_pm.level(), std::move(path), Seed_origin::SECTION};
+    }
+    return out;
+  }
+
+private:
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
+  struct Loop
+  {
+    std::vector<Index> halfedges; // with a face below the level on the left
+    double length;
+    bool is_shortest;
+  };
+
+  // Distributes the faces to the slabs, each up to a level and not further, the last one above all levels, and the halfedges
+  // between faces of different slabs to the levels. False for a function that is constant.
+  bool make_slabs(const Edge_graph& graph, const std::vector<double>& values, std::size_t levels)
   {
     double least = infinity, greatest = -infinity;
     for(Index v = 0; v < values.size(); ++v)
@@ -51,72 +98,114 @@ public:
       }
     }
     if(!(least < greatest))
-      return out;
-    for(Index f : m_faces)
-      m_greatest[f] = (std::max)({value(3 * f), value(3 * f + 1), value(3 * f + 2)});
+      return false;
 
     const double step = (greatest - least) / static_cast<double>(levels);
-    const auto level = [&](std::size_t i) {
+    const auto level = [&](Index i) {
       return least + (greatest - least) * ((static_cast<double>(i) + 0.5) / static_cast<double>(levels));
     };
+    m_faces_of_slab.resize(levels + 1);
     m_boundary.resize(levels);
+    for(std::vector<Index>& faces : m_faces_of_slab)
+      faces.clear();
     for(std::vector<Index>& halfedges : m_boundary)
       halfedges.clear();
     for(Index f : m_faces)
-      for(Index h = 3 * f; h < 3 * f + 3; ++h)
-      {
-        const double low = m_greatest[f], high = m_greatest[m_pm.face(m_pm.opposite(h))];
-        if(!(low < high))
-          continue;
-        std::size_t i = low <= level(0) ? 0 : static_cast<std::size_t>((low - least) / step - 0.5);
-        while(i < levels && level(i) < low)
-          ++i;
-        for(; i < levels && level(i) < high; ++i)
-          m_boundary[i].push_back(h);
-      }
-    for(std::size_t i = 0; i < levels; ++i)
     {
-      ++m_stamp;
-      for(Index h : m_boundary[i])
-        if(m_stamps[h] != m_stamp)
-        {
-          walk(h, level(i));
-          if(m_loop.size() > 2 && m_known.insert(m_loop).second)
-            *out++ = Seed_curve{m_pm.level(), m_loop, Seed_origin::SECTION};
-        }
+      const double value = (std::max)({m_values[m_pm.source(3 * f)], m_values[m_pm.source(3 * f + 1)],
+                                       m_values[m_pm.source(3 * f + 2)]});
+      const double position = (std::min)((value - least) / step - 0.5, static_cast<double>(levels));
+      Index i = position <= 0 ? 0 : static_cast<Index>(position);
+      while(i < levels && level(i) < value)
+        ++i;
+      m_slab[f] = i;
+      m_faces_of_slab[i].push_back(f);
     }
-    return out;
+    for(Index f : m_faces)
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        for(Index i = m_slab[f]; i < m_slab[face_across(h)]; ++i)
+          m_boundary[i].push_back(h);
+    return true;
   }
 
-private:
-  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+  Index face_across(Index h) const { return m_pm.face(m_pm.opposite(h)); }
 
-  double value(Index h) const { return m_values[m_pm.source(h)]; }
-
-  // Follows the boundary of the faces below the level, which lie on its left, once around, along the boundary of one
+  // Follows the boundary of the faces below a level, which lie on its left, once around, along the boundary of one
   // and the same fan of faces at each vertex.
-  void walk(Index begin, double level)
+  void walk(Index begin, Index level)
   {
-    m_loop.clear();
+    m_loops.push_back({{}, 0, true});
+    Loop& loop = m_loops.back();
     Index h = begin;
     do {
-      m_stamps[h] = m_stamp;
-      m_loop.push_back(m_pm.source(h));
+      m_is_walked[h] = m_stamp;
+      loop.halfedges.push_back(h);
+      loop.length += m_lengths[h];
       h = m_pm.next(h);
-      while(m_greatest[m_pm.face(m_pm.opposite(h))] <= level)
+      while(m_slab[face_across(h)] <= level)
         h = m_pm.next(m_pm.opposite(h));
     } while(h != begin);
-    make_canonical(m_loop);
+  }
+
+  // Of each loop of a level and one of the level before that bound a part of the slab between them, and no third one does,
+  // drops the longer. Those of the level before are [below, first), those of the level are the rest.
+  void drop_longer(Index level, std::size_t below, std::size_t first)
+  {
+    const Index offset = static_cast<Index>(m_slab.size()); // of loops behind faces
+    const Index size = offset + static_cast<Index>(m_loops.size() - below);
+    if(m_parent.size() < size)
+    {
+      m_parent.resize(size);
+      m_rank.resize(size);
+    }
+    boost::disjoint_sets<std::uint8_t*, Index*> parts(m_rank.data(), m_parent.data());
+    const auto number = [&](std::size_t loop) { return offset + static_cast<Index>(loop - below); };
+    for(Index f : m_faces_of_slab[level])
+      parts.make_set(f);
+    for(std::size_t k = below; k < m_loops.size(); ++k)
+      parts.make_set(number(k));
+    for(Index f : m_faces_of_slab[level])
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        if(face_across(h) < f && m_slab[face_across(h)] == level)
+          parts.union_set(f, face_across(h));
+    for(std::size_t k = below; k < first; ++k)
+      for(Index h : m_loops[k].halfedges)
+      {
+        m_loop_at[h] = number(k);
+        if(m_slab[face_across(h)] == level)
+          parts.union_set(number(k), face_across(h));
+      }
+    for(std::size_t k = first; k < m_loops.size(); ++k)
+      for(Index h : m_loops[k].halfedges) // where the slab is no wider than the edge, both loops run along it
+        parts.union_set(number(k), m_slab[m_pm.face(h)] == level ? m_pm.face(h) : m_loop_at[h]);
+
+    m_loops_of_parts.clear();
+    for(std::size_t k = below; k < m_loops.size(); ++k)
+      m_loops_of_parts.emplace_back(parts.find_set(number(k)), k);
+    std::sort(m_loops_of_parts.begin(), m_loops_of_parts.end());
+    for(auto it = m_loops_of_parts.begin(), end = it; it != m_loops_of_parts.end(); it = end)
+    {
+      end = std::find_if(it, m_loops_of_parts.end(), [it](const auto& p) { return p.first != it->first; });
+      if(end - it != 2 || it->second >= first || it[1].second < first)
+        continue;
+      Loop &a = m_loops[it->second], &b = m_loops[it[1].second];
+      (b.length <= a.length ? a : b).is_shortest = false;
+    }
   }
 
   const Progressive_mesh& m_pm;
+  Edge_lengths m_lengths;
   std::vector<Index> m_faces;
-  std::vector<double> m_greatest; // value of a face's vertices
-  std::vector<std::size_t> m_stamps; // of halfedges: the last walk along them
   std::vector<double> m_values; // of vertices, by id
-  std::size_t m_stamp = 0;
-  std::vector<std::vector<Index> > m_boundary; // by level: halfedges of faces that are not above it, next to faces that are
-  std::vector<Index> m_loop;
+  std::vector<Index> m_slab;    // of faces
+  std::vector<std::vector<Index> > m_faces_of_slab;
+  std::vector<std::vector<Index> > m_boundary; // of a level: halfedges of faces that are not above it, next to faces that are
+  std::vector<Loop> m_loops;             // from the lowest level to the highest
+  std::vector<std::size_t> m_is_walked;  // of halfedges: the stamp of the last walk along them
+  std::size_t m_stamp = 0;               // of a level
+  std::vector<Index> m_parent, m_loop_at; // the parts of a slab as disjoint sets of faces and loops; of halfedges, a loop
+  std::vector<std::uint8_t> m_rank;
+  std::vector<std::pair<Index, std::size_t> > m_loops_of_parts;
   std::unordered_set<std::vector<Index>, boost::hash<std::vector<Index> > > m_known;
 };
 
