@@ -4,7 +4,11 @@
 #include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Crossing_filter.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Homology_basis.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Surface_cycles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 
@@ -17,6 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <set>
 #include <vector>
 
 namespace test_seed_merging {
@@ -119,6 +124,59 @@ TEST(MergeSeedCurves, OnTheInputOneSeedIsKeptOfThoseThatMeet)
 }
 
 // Tightening on the way on a fine level hands on every seed too.
+// Around the tube, around the hole, and around both: the last is composed of the other two, which it crosses.
+TEST(MergeSeedCurves, WhatIsComposedOfShorterOnesIsKeptOnlyIfAskedFor)
+{
+  SMC::Progressive_mesh pm = simplified(test_meshes::torus(0.2, 7, 20, 12));
+  const std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, 0);
+  const SMC::internal::Surface_cycles cycles(pm);
+  const auto kept_classes = [&](bool crossing) {
+    SMC::Merging_parameters parameters;
+    parameters.minimum_prominence = 0.01;
+    parameters.crossing = crossing;
+    std::vector<SMC::Merged_seed> merged;
+    SMC::merge_seed_curves(pm, seeds, 0, parameters, std::back_inserter(merged));
+    EXPECT_EQ(all_seeds(merged).size(), seeds.size());
+    std::set<std::vector<Index> > classes;
+    for(const SMC::Merged_seed& m : merged)
+      if(m.verdict == SMC::Merging_verdict::KEPT && !cycles.homology_class(m.curve.vertices).empty())
+        classes.insert(cycles.homology_class(m.curve.vertices));
+    return classes;
+  };
+  EXPECT_EQ(kept_classes(true).size(), 3u);
+  EXPECT_EQ(kept_classes(false).size(), 2u);
+}
+
+TEST(CrossingFilter, ACurveThatCrossesManyShorterOnesDoesNotPass)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::boxes_with_tube(4));
+  std::vector<std::vector<SMC::internal::Trace_point> > traces(1); // around a corner
+  for(Index v : {pm.target(0), pm.target(pm.next(0)), pm.source(0)})
+    traces[0].push_back({v, SMC::null_index, 0});
+  SMC::internal::Crossing_filter filter(pm, traces);
+  EXPECT_TRUE(filter.passes(0, {}));
+  EXPECT_TRUE(filter.passes(0, std::vector<Index>(SMC::internal::crossing_limit - 1, 0)));
+  EXPECT_FALSE(filter.passes(0, std::vector<Index>(SMC::internal::crossing_limit, 0)));
+}
+
+TEST(HomologyBasis, AClassIsTheSumOfThoseThatWereAdded)
+{
+  SMC::internal::Homology_basis basis;
+  const auto add = [&](const std::vector<Index>& homology_class, std::size_t number) {
+    SMC::internal::Homology_basis::Reduced reduced = basis.reduce(homology_class);
+    ASSERT_FALSE(reduced.is_sum());
+    basis.add(reduced, number);
+  };
+  add({1, 2}, 10);
+  add({2, 3}, 11);
+  add({4}, 12);
+  EXPECT_FALSE(basis.reduce(std::vector<Index>{1}).is_sum());
+  const auto sum = basis.reduce(std::vector<Index>{1, 3});
+  EXPECT_TRUE(sum.is_sum());
+  EXPECT_EQ(sum.members, (std::vector<std::size_t>{10, 11}));
+  EXPECT_EQ(basis.reduce(std::vector<Index>{1, 2, 4}).members, (std::vector<std::size_t>{10, 12}));
+}
+
 TEST(CarrySeedCurves, HandsOnEverySeedOnceWithAndWithoutTighteningOnTheWay)
 {
   for(const std::size_t tightening_vertices : {std::size_t(16384), std::size_t(150)})

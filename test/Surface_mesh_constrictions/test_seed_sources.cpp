@@ -3,6 +3,8 @@
 
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Sections.h>
 #include <CGAL/Surface_mesh_constrictions/section_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 
@@ -182,6 +184,26 @@ TEST(SectionSeeds, PlanesAndDistancesCutATubeAround)
       });
     }
     EXPECT_TRUE(around);
+  }
+}
+
+// Four necks between five bulges: of the sections across the axis those at the necks are given.
+TEST(SectionSeeds, AlongATubeOnlyTheShortestAroundIsGiven)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::chain_of_necks(0, 1));
+  const SMC::internal::Edge_graph graph(pm);
+  std::vector<double> heights;
+  for(Index v = 0; v < graph.number_of_vertices(); ++v)
+    heights.push_back(pm.point(graph.id(v)).z());
+  SMC::internal::Sections sections(pm);
+  std::vector<Seed_curve> seeds;
+  sections.cut(graph, heights, 52, std::back_inserter(seeds));
+  ASSERT_EQ(seeds.size(), 5u); // and one at the last end, where the surface is a cylinder and all are equally long
+  for(std::size_t i = 0; i < 4; ++i)
+  {
+    expect_closed_path(pm, seeds[i]);
+    for(Index v : seeds[i].vertices)
+      EXPECT_NEAR(pm.point(v).z(), 2 * static_cast<double>(i + 1), 0.2);
   }
 }
 
