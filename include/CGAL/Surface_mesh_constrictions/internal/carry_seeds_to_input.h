@@ -29,10 +29,6 @@
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 
-/// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Number of vertices of the surface on which `detect_constrictions()` measures prominences, of larger meshes.
-constexpr std::size_t prominence_vertices = 2048;
-
 namespace internal {
 
 // A coarse level tells only roughly what will be selected: there, prominences and isoperimetric ratios may miss what is
