@@ -21,7 +21,8 @@ namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// writes the sections of the current surface by parallel planes, as closed paths of edges: the boundary loops of the
-/// faces that lie on one side of the plane with all their vertices. Each loop once.
+/// faces that lie on one side of the plane with all their vertices. Each loop once; of loops of neighbouring planes that
+/// follow each other along a tube only those that are no longer than their neighbours.
 ///
 /// \param pm the surface; unchanged
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
@@ -30,8 +31,8 @@ namespace Surface_mesh_constrictions {
 /// \return the output iterator, past the last element that was written
 /// \cost O(size of T^0) for the ids, plus O(n) for each plane, n being the faces of the current surface, plus the output
 template <class OutputIterator>
-OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator out, std::size_t directions = 64,
-                                   std::size_t planes = 48)
+OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator out, std::size_t directions = 80,
+                                   std::size_t planes = 56)
 {
   const internal::Edge_graph graph(pm);
   internal::Sections sections(pm);
@@ -55,7 +56,7 @@ OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator ou
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// writes sections of the current surface between pairs of its vertices, as closed paths of edges: level sets of the
 /// difference between the distances along edges to two vertices, of which the middle one runs half way between them.
-/// Each loop once.
+/// Each loop once; of loops that follow each other along a tube only those that are no longer than their neighbours.
 ///
 /// \param pm the surface; unchanged
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level

@@ -25,8 +25,9 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Level sets of functions on the vertices of the current surface, as closed paths of edges: the boundary loops of the
-// faces none of whose vertices is above the level. Where a loop and one of the next level bound a tube between them, only
-// the shorter one is given: what is given is the shortest around. No loop is given twice, whatever the functions.
+// faces none of whose vertices is above the level. Where a loop and one of the next level bound a tube between them, the
+// longer one is not given, unless they are about equally long: what is given is the shortest around. No loop is given
+// twice, whatever the functions.
 class Sections
 {
 public:
@@ -74,6 +75,7 @@ public:
 
 private:
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+  static constexpr double equal_length_tolerance = 0.005; // of loops of edges, which zigzag
 
   struct Loop
   {
@@ -189,7 +191,8 @@ private:
       if(end - it != 2 || it->second >= first || it[1].second < first)
         continue;
       Loop &a = m_loops[it->second], &b = m_loops[it[1].second];
-      (b.length <= a.length ? a : b).is_shortest = false;
+      a.is_shortest = a.is_shortest && a.length <= (1 + equal_length_tolerance) * b.length;
+      b.is_shortest = b.is_shortest && b.length <= (1 + equal_length_tolerance) * a.length;
     }
   }
 
