@@ -303,6 +303,31 @@ TEST(CertificateModels, RingRunTwiceTouchesItself)
   EXPECT_EQ(c.other_location, 4u);
 }
 
+TEST(Certificate, EachVerdictIsOneLineWithItsPlace)
+{
+  const auto text = [](Certificate_verdict verdict) {
+    Certificate c;
+    c.verdict = verdict;
+    c.location = 3;
+    c.other_location = 5;
+    c.side = Curve_side::RIGHT;
+    std::ostringstream out;
+    out << c;
+    return out.str();
+  };
+  EXPECT_EQ(text(Certificate_verdict::STRICT_CONSTRICTION), "strict_constriction");
+  EXPECT_EQ(text(Certificate_verdict::CONSTRICTION), "constriction");
+  EXPECT_EQ(text(Certificate_verdict::LEAKY_BAND), "not_certified: the flat band on the right leaks");
+  EXPECT_EQ(text(Certificate_verdict::NOT_STRAIGHT),
+            "not_certified: not straight, the arc through point 3 passes the edge's right end on the wrong side or through it");
+  EXPECT_EQ(text(Certificate_verdict::ANGLE_BELOW_PI),
+            "not_certified: the side angle on the right of point 3 is less than pi");
+  EXPECT_EQ(text(Certificate_verdict::CROSSES_ITSELF), "not_certified: not simple, crosses itself between points 3 and 5");
+  EXPECT_EQ(text(Certificate_verdict::TOUCHES_ITSELF), "not_certified: not simple, points 3 and 5 are the same vertex");
+  EXPECT_EQ(text(Certificate_verdict::TIE_NOT_PROVED), "not_certified: tie not proved at point 3");
+  EXPECT_EQ(text(Certificate_verdict::NOT_COMPUTED), "not_certified: no exact certificate has been computed");
+}
+
 // A curve around the tube that crosses the inside of its edges, without pivots.
 Constriction<Mesh> curve_without_pivots(const Mesh& mesh, double x)
 {

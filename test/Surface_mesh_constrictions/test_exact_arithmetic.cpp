@@ -18,7 +18,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 namespace test_exact_arithmetic {
@@ -248,6 +251,72 @@ TEST(SignProver, NumbersBelow128BitsAreProvedNonzeroAndGetTheirSign)
   EXPECT_EQ(prover.sign(expression(0)), Proved_sign::ZERO);
   EXPECT_EQ(prover.statistics().finite_field, 2u);
   EXPECT_EQ(prover.statistics().algebra, 1u);
+}
+
+TEST(SignProver, AZeroOfTooManyTermsStaysUnprovedAndDoesNotHinderOthers)
+{
+  // the areas of twenty faces of a random hull have independent roots, and their product has 2^20 terms
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::random_hull(1, 30));
+  const Surface surface(mesh, mesh.points());
+  const Mesh::Halfedge_index h = *halfedges(mesh).begin();
+  const auto expression = [&](const auto& arithmetic, auto& values) {
+    values[0] = (arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h))).y();
+    if(!values.wants(1))
+      return;
+    auto product = arithmetic.number(1);
+    for(Mesh::Face_index f : mesh.faces())
+      if(static_cast<std::size_t>(f) < 20)
+        product = product * (arithmetic.number(1) + arithmetic.corner(mesh.halfedge(f)).y());
+    values[1] = product - product;
+  };
+  Sign_prover<Surface> prover(surface);
+  EXPECT_EQ(prover.signs(2, expression), (std::vector<Proved_sign>{Proved_sign::ZERO, Proved_sign::UNPROVED}));
+  EXPECT_EQ(prover.statistics().algebra, 1u);
+  EXPECT_EQ(prover.statistics().unproved, 1u);
+}
+
+TEST(SignProver, WhatHasNoImageInTheFiniteFieldIsProvedByTheBasis)
+{
+  // coordinates whose denominators are the prime of the field
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Kernel;
+  typedef CGAL::Surface_mesh<Kernel::Point_3> Exact_mesh;
+  Exact_mesh mesh = test_meshes::make_graph<Exact_mesh>(test_meshes::tetrahedron());
+  const Kernel::FT prime = Kernel::FT(static_cast<double>(std::uint64_t(1) << 61)) - 1;
+  for(auto v : vertices(mesh))
+  {
+    const Kernel::Point_3 p = mesh.point(v);
+    mesh.point(v) = Kernel::Point_3(p.x() / prime, p.y() / prime, p.z() / prime);
+  }
+  typedef Graph_surface<Exact_mesh, Exact_mesh::Property_map<Exact_mesh::Vertex_index, Kernel::Point_3> > Exact_surface;
+  const Exact_surface surface(mesh, mesh.points());
+  Sign_prover<Exact_surface> prover(surface);
+  const Exact_mesh::Halfedge_index h = *halfedges(mesh).begin();
+  const auto sine_of_sum = [&](const auto& arithmetic, auto& values) {
+    values[0] = (arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h))).y();
+  };
+  EXPECT_EQ(prover.sign(sine_of_sum), Proved_sign::ZERO);
+  EXPECT_EQ(prover.statistics().finite_field, 0u);
+  EXPECT_EQ(prover.statistics().algebra, 1u);
+}
+
+TEST(SignProver, IntervalsThatNeverDecideAreGivenUp)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::tetrahedron());
+  const Surface surface(mesh, mesh.points());
+  Sign_prover<Surface> prover(surface);
+  std::size_t attempts = 0;
+  EXPECT_FALSE(prover.decide_by_intervals([&attempts](const auto&) {
+    ++attempts;
+    return false;
+  }));
+  EXPECT_GT(attempts, 2u);
+  EXPECT_EQ(prover.statistics().unproved, 1u);
+  // the first of the growing precisions
+  EXPECT_TRUE(prover.decide_by_intervals([](const auto& arithmetic) {
+    typedef typename std::decay_t<decltype(arithmetic)>::NT NT;
+    return std::is_same<NT, Multiprecision_interval>::value;
+  }));
+  EXPECT_EQ(prover.statistics().multiprecision, 1u);
 }
 
 // Angles are compared with pi by intervals the same way as by summing them up.
