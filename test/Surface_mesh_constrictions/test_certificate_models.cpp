@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -367,6 +368,43 @@ TEST(CertificateModels, CurveWithoutPivotsIsKnownByItsStrip)
     upright.point(v) = Mesh::Point(frustum.point(v).z(), frustum.point(v).x(), frustum.point(v).y());
   EXPECT_EQ(certify_constriction(upright, curve_without_pivots(upright, 2.5)).verdict,
             Certificate_verdict::NOT_STRAIGHT);
+}
+
+// The curve at the height of a vertex that has no other pivot.
+Constriction<Mesh> loop_at_height_of(const Mesh& mesh, std::size_t vertex, bool is_clockwise)
+{
+  const Mesh::Vertex_index v(static_cast<Mesh::size_type>(vertex));
+  const internal::Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point> > surface(mesh, mesh.points());
+  Constriction<Mesh>::Data data;
+  data.locations.push_back({true, v, Mesh::Halfedge_index(), 0});
+  for(Mesh::Halfedge_index h : exact_models::crossings_at_height_of(
+          surface, v, [&mesh](Mesh::Vertex_index w) { return mesh.point(w).z(); }, is_clockwise))
+    data.locations.push_back({false, Mesh::Vertex_index(), h, 0.5});
+  return Constriction<Mesh>(data);
+}
+
+TEST(CertificateModels, LoopThroughOneVertexOfAPrismIsInABandOrSlipsToTheNarrowerEnd)
+{
+  for(int n = 3; n <= 8; ++n)
+    for(bool is_clockwise : {false, true})
+    {
+      const auto certify = [&](double factor) {
+        const Soup soup = exact_models::prism_with_one_vertex(n, factor);
+        const Mesh mesh = test_meshes::make_mesh(soup);
+        return certify_constriction(mesh, loop_at_height_of(mesh, exact_models::vertex_at_height(soup, 650), is_clockwise));
+      };
+      const Certificate straight = certify(1);
+      EXPECT_EQ(straight.verdict, Certificate_verdict::CONSTRICTION) << n << ": " << straight;
+      EXPECT_NEAR(straight.flat_band_width, 400, 1e-9);
+      EXPECT_EQ(straight.signs.unproved, 0u);
+      for(double difference : {1e-3, std::ldexp(1., -40), -std::ldexp(1., -40), -1e-3})
+      {
+        const Certificate c = certify(1 + difference);
+        EXPECT_EQ(c.verdict, Certificate_verdict::ANGLE_BELOW_PI) << n << ": " << c;
+        EXPECT_EQ(c.side, (difference > 0) == is_clockwise ? Curve_side::LEFT : Curve_side::RIGHT);
+        EXPECT_EQ(c.location, 0u);
+      }
+    }
 }
 
 TEST(CertificateModels, BorderAndPolygonsAreReported)

@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -299,6 +300,34 @@ TEST(SignProver, WhatHasNoImageInTheFiniteFieldIsProvedByTheBasis)
   EXPECT_EQ(prover.statistics().algebra, 1u);
 }
 
+TEST(SignProver, WithTooManyRootsForABasisPrecisionGrowsUntilTheSignShows)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.1, 1, 8, 8));
+  ASSERT_GT(mesh.number_of_faces(), 100u);
+  const Surface surface(mesh, mesh.points());
+  // seen from its source, the third vertex of its face lies before the middle of it
+  const auto base = *std::find_if(halfedges(mesh).begin(), halfedges(mesh).end(), [&mesh](Mesh::Halfedge_index h) {
+    const auto a = mesh.point(mesh.source(h));
+    const auto u = mesh.point(mesh.target(h)) - a, v = mesh.point(mesh.target(mesh.next(h))) - a;
+    return u * v > 0.1 * (u * u) && u * v < 0.5 * (u * u);
+  });
+  const auto expression = [&mesh, base](int sign) {
+    return [&mesh, base, sign](const auto& arithmetic, auto& values) {
+      auto sum = arithmetic.number(0), power = arithmetic.number(sign);
+      for(Mesh::Face_index f : mesh.faces())
+        sum = sum + arithmetic.corner(mesh.halfedge(f)).y();
+      for(int i = 0; i < 200; ++i)
+        power = power * arithmetic.ratio(base).x();
+      values[0] = sum - sum + power; // far below 128 bits
+    };
+  };
+  Sign_prover<Surface> prover(surface);
+  EXPECT_EQ(prover.sign(expression(1)), Proved_sign::POSITIVE);
+  EXPECT_EQ(prover.statistics().multiprecision, 1u);
+  EXPECT_EQ(prover.sign(expression(0)), Proved_sign::UNPROVED);
+  EXPECT_EQ(prover.statistics().unproved, 1u);
+}
+
 TEST(SignProver, IntervalsThatNeverDecideAreGivenUp)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::tetrahedron());
@@ -351,6 +380,26 @@ TEST(AngleSum, AgreesWithTheSumOfTheAngles)
     else
       EXPECT_EQ(result, Angle_sum::AROUND_PI);
   }
+}
+
+// Sums whose sine does not show its sign.
+TEST(AngleSum, NearMultiplesOfPiTheCosineDecides)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::box(1, 1, 1));
+  const Surface surface(mesh, mesh.points());
+  typedef CGAL::Interval_nt<false> Interval;
+  Interval::Protector upward;
+  const Interval_arithmetic<Surface> arithmetic(surface);
+  const Planar<Interval> zero(Interval(1), Interval(0, 1e-10)), pi(Interval(-1), Interval(-1e-10, 1e-10)),
+      below_pi(Interval(-1), Interval(1e-12)), right(Interval(0), Interval(1)), any(Interval(-1, 1), Interval(-1, 1));
+  EXPECT_EQ(compare_angle_sum(arithmetic, {zero, zero}), Angle_sum::BELOW_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {pi, zero}), Angle_sum::AROUND_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {right, right, zero}), Angle_sum::AROUND_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {below_pi, pi}), Angle_sum::ABOVE_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {pi, pi}), Angle_sum::ABOVE_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {below_pi, right}), Angle_sum::ABOVE_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {any}), Angle_sum::UNKNOWN);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {pi, any}), Angle_sum::UNKNOWN);
 }
 
 } // namespace test_exact_arithmetic

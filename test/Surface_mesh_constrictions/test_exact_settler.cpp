@@ -3,13 +3,18 @@
 #include "include/exact_models.h"
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Exact_string_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
+#include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <random>
 #include <vector>
@@ -150,6 +155,56 @@ TEST(ExactSettler, AnArcThatIsNotStraightIsPulledBack)
     }
 }
 
+// Below the belt a prism ends with a face; above it, at a shelf with a thinner one that is a neck.
+TEST(ExactSettler, ACurveThatLeaksOverAShelfIsHeldByTheNeckBehindIt)
+{
+  const auto square = exact_models::square();
+  const Soup soup = exact_models::tube({exact_models::ring(square, 3, 0), exact_models::ring(square, 3, 2),
+                                        exact_models::ring(square, 3, 5), exact_models::ring(square, 1, 5),
+                                        exact_models::ring(square, 1, 8), exact_models::ring(square, 3, 8),
+                                        exact_models::ring(square, 3, 12)});
+  std::vector<Index> belt = loop_of(soup, exact_models::ring(square, 3, 2));
+  // the shelf is on the left, and the left is looked at first
+  Curve up(soup, belt);
+  EXPECT_EQ(up.settle(), Certificate_verdict::CONSTRICTION);
+  ASSERT_FALSE(up.is_degenerate());
+  EXPECT_NEAR(up.length(), 8, 8e-12);
+  std::reverse(belt.begin(), belt.end());
+  Curve down(soup, belt);
+  down.settle();
+  EXPECT_TRUE(down.is_degenerate());
+}
+
+// A loop with one pivot has a closed strip, and several corners of it to go to.
+TEST(ExactSettler, ALoopThroughOneVertexSlipsToTheNarrowerEndOfThePrism)
+{
+  for(int n = 3; n <= 8; ++n)
+    for(double factor : {1 + 1e-3, 1 - 1e-3, 1.5})
+      for(bool is_clockwise : {false, true})
+      {
+        const Soup soup = exact_models::prism_with_one_vertex(n, factor);
+        const Index v = static_cast<Index>(exact_models::vertex_at_height(soup, 650));
+        Curve curve(soup, {});
+        const internal::Imported_surface<Mesh, Point_map> surface(curve.pm, curve.imported, curve.mesh.points());
+        internal::Arc arc;
+        arc.from = arc.to = v;
+        for(Index h : exact_models::crossings_at_height_of(
+                surface, v, [&soup](Index w) { return soup.points[w][2]; }, is_clockwise))
+          arc.crossings.push_back(h);
+        internal::measure(curve.pm, arc);
+        std::vector<internal::Arc> arcs = {arc};
+        curve.network.set_arcs(curve.id, arcs);
+
+        const auto end = exact_models::ring(exact_models::polygon(n), std::min(factor, 1.), factor < 1 ? 900 : 500);
+        double perimeter = 0;
+        for(std::size_t i = 0; i < end.size(); ++i)
+          perimeter += std::hypot(end[(i + 1) % end.size()][0] - end[i][0], end[(i + 1) % end.size()][1] - end[i][1]);
+        EXPECT_EQ(curve.settle(), Certificate_verdict::STRICT_CONSTRICTION);
+        EXPECT_NEAR(curve.length(), perimeter, 1e-12 * perimeter);
+        EXPECT_EQ(internal::arcs_of_curve(curve.network, curve.id).size(), end.size());
+      }
+}
+
 // From loops of edges that wind through the mesh the exact steps alone reach what can be certified, or nothing.
 TEST(ExactSettler, EveryLoopEndsInAConstrictionOrShrinksOrMeetsItself)
 {
@@ -191,6 +246,50 @@ TEST(ExactSettler, EveryLoopEndsInAConstrictionOrShrinksOrMeetsItself)
     certified += is_certified;
   }
   EXPECT_GT(certified + degenerate, 6u);
+}
+
+// Whatever strip a string is pulled in, exact numbers find the bends that floating point finds with its tolerance: on a
+// surface without ties, and on one where most lines between vertices run through others.
+TEST(ExactStringPuller, BendsWhereFloatingPointDoes)
+{
+  for(const Soup& soup : {test_meshes::torus(0.1, 5, 12, 8), test_meshes::box(4, 4, 4), test_meshes::box(6, 3, 1)})
+  {
+    Curve curve(soup, {});
+    const Progressive_mesh& pm = curve.pm;
+    typedef internal::Imported_surface<Mesh, Point_map> Surface;
+    const Surface surface(pm, curve.imported, curve.mesh.points());
+    internal::Sign_prover<Surface> prover(surface);
+    internal::Exact_string_puller<Surface> exact_puller(prover);
+    internal::String_puller puller(pm);
+    std::mt19937 random(1);
+    for(int round = 0; round < 1000; ++round)
+    {
+      const Index out = static_cast<Index>(random() % (3 * soup.faces.size()));
+      const Index u = pm.source(out);
+      internal::Strip strip = {pm.next(out)};
+      for(int n = static_cast<int>(random() % 12); n > 0; --n)
+      {
+        const Index o = pm.opposite(strip.back());
+        strip.push_back(random() % 2 == 0 ? pm.next(o) : pm.prev(o));
+      }
+      const Index w = pm.target(pm.next(pm.opposite(strip.back())));
+      std::vector<internal::Arc> arcs;
+      puller.pull(u, strip, w, arcs);
+      if(strip.empty())
+        continue;
+      std::vector<internal::Exact_arc<Surface> > exact_arcs;
+      ASSERT_TRUE(exact_puller.pull(u, strip, w, exact_arcs));
+      ASSERT_EQ(exact_arcs.size(), arcs.size());
+      for(std::size_t i = 0; i < arcs.size(); ++i)
+      {
+        EXPECT_EQ(exact_arcs[i].from, arcs[i].from);
+        EXPECT_EQ(exact_arcs[i].to, arcs[i].to);
+        EXPECT_EQ(exact_arcs[i].crossings, internal::Strip(arcs[i].crossings.begin(), arcs[i].crossings.end()));
+        if(arcs[i].is_edge())
+          EXPECT_EQ(exact_arcs[i].along, arcs[i].along);
+      }
+    }
+  }
 }
 
 } // namespace test_exact_settler
