@@ -149,11 +149,10 @@ inline std::size_t vertex_at_height(const Soup& soup, double z)
 
 // What a curve crosses that starts at a vertex and stays at its height until it is back; height(w) is that of a vertex.
 // Seen from above it runs clockwise, or the other way.
-template <class Surface, class Height>
-std::vector<typename Surface::Halfedge> crossings_at_height_of(const Surface& s, typename Surface::Vertex v,
-                                                              const Height& height, bool is_clockwise)
+template <class Surface, class Vertex, class Height>
+auto crossings_at_height_of(const Surface& s, Vertex v, const Height& height, bool is_clockwise)
 {
-  typedef typename Surface::Halfedge Halfedge;
+  typedef decltype(s.outgoing(v)) Halfedge;
   const double z = height(v);
   const auto is_crossed = [&](Halfedge h) { // its target is on the left
     const double target = height(s.target(h)), source = height(s.source(h));
