@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 
@@ -356,6 +357,62 @@ TEST(ClosedStrip, AroundOneVertexItIsDegenerate)
   EXPECT_EQ(clockwise.size(), 12u);
   EXPECT_TRUE(SMC::internal::Closed_strip(pm, clockwise).is_degenerate());
   EXPECT_TRUE(SMC::internal::Closed_strip(pm, counterclockwise).is_degenerate());
+}
+
+// The shortest loops through each corner of random closed strips, some of which are so wide that they unfold over the centre
+// that they turn around.
+TEST(Tightening, LoopsInAnyStripBecomeGeodesicsOrShrink)
+{
+  std::size_t loops = 0;
+  for(const test_meshes::Soup& soup : {test_meshes::sharp_cone(), test_meshes::torus(0.3, 2, 8, 5),
+                                       test_meshes::square_ring(), test_meshes::dumbbell(0.2, 3, 8, 6)})
+  {
+    const SMC::Progressive_mesh pm = test_meshes::make_progressive(soup);
+    SMC::internal::String_puller puller(pm);
+    std::mt19937 random(4);
+    for(int round = 0; round < 500; ++round)
+    {
+      SMC::internal::Strip strip = {static_cast<Index>(random() % (3 * soup.faces.size()))};
+      while(strip.size() < 60)
+      {
+        const Index o = pm.opposite(strip.back()), h = random() % 2 == 0 ? pm.next(o) : pm.prev(o);
+        if(h == strip[0])
+          break;
+        strip.push_back(h);
+      }
+      if(strip.size() == 60)
+        continue;
+      const SMC::internal::Closed_strip closed(pm, strip);
+      if(closed.is_degenerate())
+        continue;
+      for(const auto& corner : closed.corners())
+      {
+        std::vector<SMC::internal::Arc> arcs = closed.shortest_loop(corner, puller);
+        if(arcs.empty())
+          continue;
+        ++loops;
+        double before = 0;
+        for(const SMC::internal::Arc& a : arcs)
+          before += a.length;
+        SMC::internal::Curve_network network(pm, false);
+        const Index c = network.add_curve(0);
+        network.set_arcs(c, arcs);
+        SMC::internal::Tightener tightener(network, SMC::internal::Length_unit(pm));
+        tightener.enqueue_all(c);
+        tightener.run();
+        if(network.is_empty(c))
+          continue;
+        EXPECT_LE(network.length(c), before * (1 + 1e-14));
+        const std::vector<SMC::internal::Arc> tight = SMC::internal::arcs_of_curve(network, c);
+        for(std::size_t i = 0; i < tight.size(); ++i)
+        {
+          const auto angles = SMC::internal::side_angles(pm, tight[i], tight[(i + 1) % tight.size()]);
+          EXPECT_GE(std::min(angles.left, angles.right), CGAL_PI - 1e-9);
+        }
+      }
+    }
+  }
+  EXPECT_GT(loops, 100u);
 }
 
 TEST(Tightening, SpursAndOverlapsAreShortenedAway)
