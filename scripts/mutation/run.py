@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flips each comparison of the headers that decide, one at a time, and looks whether a test notices.
 
-  scripts/mutation/run.py BUILD_DIR [--group GROUP] [--headers A.h,B.h,...] [--only N,N,...] [--longest SECONDS] [--jobs N]
+  scripts/mutation/run.py BUILD_DIR [--group GROUP] [--headers A.h,B.h,...] [--only N,N,...] [--longest SECONDS]
+                          [--jobs N]
 
 A copy of the sources in BUILD_DIR is compiled once, with a switch in each comparison (see switched_comparison.h); the
 test programs of the group then run once per comparison, with that one flipped, until a test fails. A crash counts as
@@ -89,8 +90,9 @@ def build(build_dir, headers, programs, jobs):
                     for header in headers}
     # A chain of comparisons is what compilers warn of.
     instrumented["cmake/constrictions_warnings.cmake"] = "add_library(constrictions_warnings INTERFACE)\n"
-    files = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=PROJECT, check=True, capture_output=True, text=True).stdout
-    for file in files.splitlines():
+    files = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=PROJECT, check=True,
+                           capture_output=True, text=True).stdout.splitlines()
+    for file in files:
         if file in instrumented:
             write_if_changed(source / file, instrumented[file].encode())
         elif (PROJECT / file).is_file():
@@ -100,7 +102,8 @@ def build(build_dir, headers, programs, jobs):
                     f"-DCMAKE_CXX_FLAGS=-include {HERE / 'switched_comparison.h'}",
                     "-DWITH_TOOLS=OFF", "-DWITH_EXAMPLES=OFF", "-DWITH_HEADER_CHECK=OFF", "-DWITH_UNITY_TESTS=ON",
                     f"-DCONSTRICTIONS_MESH_DIR={PROJECT / 'data/meshes'}"], check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", build_dir / "build", "--parallel", str(jobs), "--target", *programs], check=True)
+    subprocess.run(["cmake", "--build", build_dir / "build", "--parallel", str(jobs), "--target", *programs],
+                   check=True)
     return comparisons, [build_dir / "build/test/Surface_mesh_constrictions" / program for program in programs]
 
 

@@ -320,11 +320,14 @@ TEST(Certificate, EachVerdictIsOneLineWithItsPlace)
   EXPECT_EQ(text(Certificate_verdict::CONSTRICTION), "constriction");
   EXPECT_EQ(text(Certificate_verdict::LEAKY_BAND), "not_certified: the flat band on the right leaks");
   EXPECT_EQ(text(Certificate_verdict::NOT_STRAIGHT),
-            "not_certified: not straight, the arc through point 3 passes the edge's right end on the wrong side or through it");
+            "not_certified: not straight, the arc through point 3 passes the edge's right end on the wrong side or "
+            "through it");
   EXPECT_EQ(text(Certificate_verdict::ANGLE_BELOW_PI),
             "not_certified: the side angle on the right of point 3 is less than pi");
-  EXPECT_EQ(text(Certificate_verdict::CROSSES_ITSELF), "not_certified: not simple, crosses itself between points 3 and 5");
-  EXPECT_EQ(text(Certificate_verdict::TOUCHES_ITSELF), "not_certified: not simple, points 3 and 5 are the same vertex");
+  EXPECT_EQ(text(Certificate_verdict::CROSSES_ITSELF),
+            "not_certified: not simple, crosses itself between points 3 and 5");
+  EXPECT_EQ(text(Certificate_verdict::TOUCHES_ITSELF),
+            "not_certified: not simple, points 3 and 5 are the same vertex");
   EXPECT_EQ(text(Certificate_verdict::TIE_NOT_PROVED), "not_certified: tie not proved at point 3");
   EXPECT_EQ(text(Certificate_verdict::NOT_COMPUTED), "not_certified: no exact certificate has been computed");
 }
@@ -391,7 +394,8 @@ TEST(CertificateModels, LoopThroughOneVertexOfAPrismIsInABandOrSlipsToTheNarrowe
       const auto certify = [&](double factor) {
         const Soup soup = exact_models::prism_with_one_vertex(n, factor);
         const Mesh mesh = test_meshes::make_mesh(soup);
-        return certify_constriction(mesh, loop_at_height_of(mesh, exact_models::vertex_at_height(soup, 650), is_clockwise));
+        const std::size_t vertex = exact_models::vertex_at_height(soup, 650);
+        return certify_constriction(mesh, loop_at_height_of(mesh, vertex, is_clockwise));
       };
       const Certificate straight = certify(1);
       EXPECT_EQ(straight.verdict, Certificate_verdict::CONSTRICTION) << n << ": " << straight;

@@ -88,7 +88,8 @@ TEST(ExactSettler, ABandIsRepresentedByTheEndWithTheSmallerVertex)
       return loop_of(soup, {{{x, 1, 1}}, {{x, 2, 1}}, {{x, 2, 2}}, {{x, 1, 2}}});
     };
     std::vector<Index> begin = ring(2), end = ring(5);
-    const Index smallest = std::min(*std::min_element(begin.begin(), begin.end()), *std::min_element(end.begin(), end.end()));
+    const Index smallest = std::min(*std::min_element(begin.begin(), begin.end()),
+                                    *std::min_element(end.begin(), end.end()));
     for(double x : {2, 3, 4, 5})
     {
       Curve curve(soup, ring(x));
@@ -112,8 +113,8 @@ TEST(ExactSettler, WhatSlipsOffDegenerates)
   EXPECT_TRUE(cone.is_degenerate());
 
   const Soup box = test_meshes::box(3, 2, 2);
-  Curve belt(box, loop_of(box, {{{1, 0, 0}}, {{1, 1, 0}}, {{1, 2, 0}}, {{1, 2, 1}}, {{1, 2, 2}}, {{1, 1, 2}}, {{1, 0, 2}},
-                                {{1, 0, 1}}}));
+  Curve belt(box, loop_of(box, {{{1, 0, 0}}, {{1, 1, 0}}, {{1, 2, 0}}, {{1, 2, 1}}, {{1, 2, 2}}, {{1, 1, 2}},
+                                {{1, 0, 2}}, {{1, 0, 1}}}));
   belt.settle();
   EXPECT_TRUE(belt.is_degenerate());
 
@@ -241,8 +242,10 @@ TEST(ExactSettler, EveryLoopEndsInAConstrictionOrShrinksOrMeetsItself)
       continue;
     }
     EXPECT_LE(curve.length(), before * (1 + 1e-14));
-    const bool is_certified = verdict == Certificate_verdict::STRICT_CONSTRICTION || verdict == Certificate_verdict::CONSTRICTION;
-    EXPECT_TRUE(is_certified || verdict == Certificate_verdict::TOUCHES_ITSELF || verdict == Certificate_verdict::CROSSES_ITSELF);
+    const bool is_certified = verdict == Certificate_verdict::STRICT_CONSTRICTION ||
+                              verdict == Certificate_verdict::CONSTRICTION;
+    EXPECT_TRUE(is_certified || verdict == Certificate_verdict::TOUCHES_ITSELF ||
+                verdict == Certificate_verdict::CROSSES_ITSELF);
     certified += is_certified;
   }
   EXPECT_GT(certified + degenerate, 6u);

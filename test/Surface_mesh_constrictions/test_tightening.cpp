@@ -181,8 +181,8 @@ TEST(Tightening, ACurveThatLeaksOverAShelfIsHeldByTheNeckBehindIt)
   EXPECT_NEAR(result.curve.flat_band_width(), 3, 1e-12);
 }
 
-// A torus without curvature: a prism's side, and the same from inside, joined at both ends. The band of a curve around the
-// prism has no end.
+// A torus without curvature: a prism's side, and the same from inside, joined at both ends. The band of a curve around
+// the prism has no end.
 TEST(Tightening, ABandThatClosesInItselfIsRepresentedByTheSmallestVertex)
 {
   const std::size_t n = 5;
@@ -288,7 +288,8 @@ struct StripAroundPrism : public ::testing::Test
     vertex = static_cast<Index>(exact_models::vertex_at_height(soup, 650));
     SMC::internal::Arc arc; // with the upper end on its left
     arc.from = arc.to = vertex;
-    for(Index h : exact_models::crossings_at_height_of(*pm, vertex, [this](Index v) { return pm->point(v).z(); }, false))
+    const auto height = [this](Index v) { return pm->point(v).z(); };
+    for(Index h : exact_models::crossings_at_height_of(*pm, vertex, height, false))
       arc.crossings.push_back(h);
     SMC::internal::measure(*pm, arc);
     strip.assign(arc.crossings.begin(), arc.crossings.end());
@@ -319,7 +320,8 @@ TEST_F(StripAroundPrism, HasEachVertexOnceAsACorner)
 TEST_F(StripAroundPrism, IsAsHighAsFromTheVertexToTheUpperEnd)
 {
   const SMC::internal::Closed_strip closed(*pm, strip);
-  const auto up = closed.foremost_corner(SMC::internal::Turn::LEFT), down = closed.foremost_corner(SMC::internal::Turn::RIGHT);
+  const auto up = closed.foremost_corner(SMC::internal::Turn::LEFT),
+             down = closed.foremost_corner(SMC::internal::Turn::RIGHT);
   EXPECT_EQ(down.vertex, vertex);
   EXPECT_NEAR(closed.height(up, down), 250, 1e-9);
   EXPECT_NEAR(closed.height(down, up), -250, 1e-9);
@@ -359,8 +361,8 @@ TEST(ClosedStrip, AroundOneVertexItIsDegenerate)
   EXPECT_TRUE(SMC::internal::Closed_strip(pm, counterclockwise).is_degenerate());
 }
 
-// The shortest loops through each corner of random closed strips, some of which are so wide that they unfold over the centre
-// that they turn around.
+// The shortest loops through each corner of random closed strips, some of which are so wide that they unfold over the
+// centre that they turn around.
 TEST(Tightening, LoopsInAnyStripBecomeGeodesicsOrShrink)
 {
   std::size_t loops = 0;
