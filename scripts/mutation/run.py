@@ -30,7 +30,7 @@ GROUPS = {
     },
     "tightening": {
         "headers": ["Tightener.h", "String_puller.h", "Closed_strip.h", "Flat_band.h"],
-        "programs": ["test_detection"],
+        "programs": ["test_detection", "test_certificates"],
     },
     "verification": {
         "headers": ["Arc_verifier.h"],
