@@ -289,7 +289,9 @@ TEST(ExactStringPuller, BendsWhereFloatingPointDoes)
         EXPECT_EQ(exact_arcs[i].to, arcs[i].to);
         EXPECT_EQ(exact_arcs[i].crossings, internal::Strip(arcs[i].crossings.begin(), arcs[i].crossings.end()));
         if(arcs[i].is_edge())
+        {
           EXPECT_EQ(exact_arcs[i].along, arcs[i].along);
+        }
       }
     }
   }
