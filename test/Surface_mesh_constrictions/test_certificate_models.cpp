@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -303,6 +304,34 @@ TEST(CertificateModels, RingRunTwiceTouchesItself)
   EXPECT_EQ(c.other_location, 4u);
 }
 
+TEST(Certificate, EachVerdictIsOneLineWithItsPlace)
+{
+  const auto text = [](Certificate_verdict verdict) {
+    Certificate c;
+    c.verdict = verdict;
+    c.location = 3;
+    c.other_location = 5;
+    c.side = Curve_side::RIGHT;
+    std::ostringstream out;
+    out << c;
+    return out.str();
+  };
+  EXPECT_EQ(text(Certificate_verdict::STRICT_CONSTRICTION), "strict_constriction");
+  EXPECT_EQ(text(Certificate_verdict::CONSTRICTION), "constriction");
+  EXPECT_EQ(text(Certificate_verdict::LEAKY_BAND), "not_certified: the flat band on the right leaks");
+  EXPECT_EQ(text(Certificate_verdict::NOT_STRAIGHT),
+            "not_certified: not straight, the arc through point 3 passes the edge's right end on the wrong side or "
+            "through it");
+  EXPECT_EQ(text(Certificate_verdict::ANGLE_BELOW_PI),
+            "not_certified: the side angle on the right of point 3 is less than pi");
+  EXPECT_EQ(text(Certificate_verdict::CROSSES_ITSELF),
+            "not_certified: not simple, crosses itself between points 3 and 5");
+  EXPECT_EQ(text(Certificate_verdict::TOUCHES_ITSELF),
+            "not_certified: not simple, points 3 and 5 are the same vertex");
+  EXPECT_EQ(text(Certificate_verdict::TIE_NOT_PROVED), "not_certified: tie not proved at point 3");
+  EXPECT_EQ(text(Certificate_verdict::NOT_COMPUTED), "not_certified: no exact certificate has been computed");
+}
+
 // A curve around the tube that crosses the inside of its edges, without pivots.
 Constriction<Mesh> curve_without_pivots(const Mesh& mesh, double x)
 {
@@ -342,6 +371,44 @@ TEST(CertificateModels, CurveWithoutPivotsIsKnownByItsStrip)
     upright.point(v) = Mesh::Point(frustum.point(v).z(), frustum.point(v).x(), frustum.point(v).y());
   EXPECT_EQ(certify_constriction(upright, curve_without_pivots(upright, 2.5)).verdict,
             Certificate_verdict::NOT_STRAIGHT);
+}
+
+// The curve at the height of a vertex that has no other pivot.
+Constriction<Mesh> loop_at_height_of(const Mesh& mesh, std::size_t vertex, bool is_clockwise)
+{
+  const Mesh::Vertex_index v(static_cast<Mesh::size_type>(vertex));
+  const internal::Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point> > surface(mesh, mesh.points());
+  Constriction<Mesh>::Data data;
+  data.locations.push_back({true, v, Mesh::Halfedge_index(), 0});
+  for(Mesh::Halfedge_index h : exact_models::crossings_at_height_of(
+          surface, v, [&mesh](Mesh::Vertex_index w) { return mesh.point(w).z(); }, is_clockwise))
+    data.locations.push_back({false, Mesh::Vertex_index(), h, 0.5});
+  return Constriction<Mesh>(data);
+}
+
+TEST(CertificateModels, LoopThroughOneVertexOfAPrismIsInABandOrSlipsToTheNarrowerEnd)
+{
+  for(int n = 3; n <= 8; ++n)
+    for(bool is_clockwise : {false, true})
+    {
+      const auto certify = [&](double factor) {
+        const Soup soup = exact_models::prism_with_one_vertex(n, factor);
+        const Mesh mesh = test_meshes::make_mesh(soup);
+        const std::size_t vertex = exact_models::vertex_at_height(soup, 650);
+        return certify_constriction(mesh, loop_at_height_of(mesh, vertex, is_clockwise));
+      };
+      const Certificate straight = certify(1);
+      EXPECT_EQ(straight.verdict, Certificate_verdict::CONSTRICTION) << n << ": " << straight;
+      EXPECT_NEAR(straight.flat_band_width, 400, 1e-9);
+      EXPECT_EQ(straight.signs.unproved, 0u);
+      for(double difference : {1e-3, std::ldexp(1., -40), -std::ldexp(1., -40), -1e-3})
+      {
+        const Certificate c = certify(1 + difference);
+        EXPECT_EQ(c.verdict, Certificate_verdict::ANGLE_BELOW_PI) << n << ": " << c;
+        EXPECT_EQ(c.side, (difference > 0) == is_clockwise ? Curve_side::LEFT : Curve_side::RIGHT);
+        EXPECT_EQ(c.location, 0u);
+      }
+    }
 }
 
 TEST(CertificateModels, BorderAndPolygonsAreReported)

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Certifier.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_simplicity.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
@@ -282,6 +283,23 @@ TEST(ExactSimplicity, TellsSimpleCrossingAndTouchingPolygonsApart)
             Certificate_verdict::TOUCHES_ITSELF);
 }
 
+TEST(ExactSimplicity, AtACommonCornerDirectionsInOneFaceAreOrdered)
+{
+  // both strands come to (5, 5) from the east through the same face, the second one below the first; the first goes on
+  // to the west, the second to the north or to the south
+  EXPECT_EQ(meeting_of_polygon({{{1, 6}}, {{5, 5}}, {{10, 4}}, {{10, 3}}, {{5, 5}}, {{4, 11}}}),
+            Certificate_verdict::CROSSES_ITSELF);
+  EXPECT_EQ(meeting_of_polygon({{{1, 6}}, {{5, 5}}, {{10, 4}}, {{10, 3}}, {{5, 5}}, {{4, 2}}}),
+            Certificate_verdict::TOUCHES_ITSELF);
+}
+
+TEST(ExactSimplicity, LinesThatCrossOnAnEdgeCross)
+{
+  // at (5.5, 5)
+  EXPECT_EQ(meeting_of_polygon({{{5, 4}}, {{6, 6}}, {{10, 7}}, {{6, 4}}, {{5, 6}}, {{1, 5}}}),
+            Certificate_verdict::CROSSES_ITSELF);
+}
+
 TEST(ExactSimplicity, AnEdgeThatIsRunAlongAndCrossedIsACrossing)
 {
   // the edge from (5, 5) to (6, 5) lies across the line from (7, 8) to (5, 3)
@@ -295,6 +313,47 @@ TEST(ExactSimplicity, NarrowlyParallelLinesAreSortedOnEveryEdge)
   EXPECT_EQ(meeting_of_polygon({{{1, 1}}, {{10, 2}}, {{11, 2}}}), Certificate_verdict::NOT_COMPUTED);
   EXPECT_EQ(meeting_of_polygon({{{1, 1}}, {{12, 2}}, {{1, 4}}, {{12, 1}}, {{11, 8}}}),
             Certificate_verdict::CROSSES_ITSELF);
+}
+
+// Two lines that meet, taken past their common point on the outer side: what lies between the line from end to end and
+// the strip is that point, on the inner side.
+TEST(Certifier, AnArcThatIsNotStraightNamesTheCornerThatItMisses)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::box(12, 12, 1));
+  const Surface surface(mesh, mesh.points());
+  internal::Certifier<Surface> certifier(surface);
+  struct Case
+  {
+    std::array<double, 2> from, corner, to;
+    Curve_side outer, missed;
+  };
+  for(const Case& c : {Case{{{1, 1}}, {{6, 3}}, {{11, 2}}, Curve_side::LEFT, Curve_side::RIGHT},
+                       Case{{{1, 5}}, {{6, 3}}, {{11, 4}}, Curve_side::RIGHT, Curve_side::LEFT},
+                       Case{{{11, 2}}, {{6, 3}}, {{1, 1}}, Curve_side::RIGHT, Curve_side::LEFT},
+                       Case{{{11, 4}}, {{6, 3}}, {{1, 5}}, Curve_side::LEFT, Curve_side::RIGHT}})
+  {
+    Arc first = arc_on_grid(mesh, {{c.from[0], c.from[1], 1}}, {{c.corner[0], c.corner[1], 1}}),
+        second = arc_on_grid(mesh, {{c.corner[0], c.corner[1], 1}}, {{c.to[0], c.to[1], 1}});
+    first.location = 0;
+    second.location = 1 + first.crossings.size();
+    EXPECT_EQ(certifier.examine_arc({first, second}, 0).certificate.verdict, Certificate_verdict::NOT_COMPUTED);
+    EXPECT_EQ(certifier.examine_arc({first, second}, 1).certificate.verdict, Certificate_verdict::NOT_COMPUTED);
+
+    Arc joined = first;
+    internal::append_fan(surface, first, second, c.outer, true, joined.crossings);
+    joined.crossings.insert(joined.crossings.end(), second.crossings.begin(), second.crossings.end());
+    joined.to = second.to;
+    const Certificate certificate = certifier.examine_arc({joined}, 0).certificate;
+    EXPECT_EQ(certificate.verdict, Certificate_verdict::NOT_STRAIGHT);
+    ASSERT_GT(certificate.location, 0u);
+    ASSERT_LE(certificate.location, joined.crossings.size());
+    EXPECT_EQ(certificate.side, c.missed);
+    // the corner that is named lies on the wrong side of the line
+    const Mesh::Halfedge_index h = joined.crossings[certificate.location - 1];
+    const auto v = mesh.point(internal::corner_vertex(surface, h, c.missed));
+    const double side = (c.to[0] - c.from[0]) * (v.y() - c.from[1]) - (c.to[1] - c.from[1]) * (v.x() - c.from[0]);
+    EXPECT_TRUE(c.missed == Curve_side::LEFT ? side <= 0 : side >= 0) << v;
+  }
 }
 
 } // namespace test_certificate_properties

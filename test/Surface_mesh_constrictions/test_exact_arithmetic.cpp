@@ -17,8 +17,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 namespace test_exact_arithmetic {
@@ -250,6 +254,100 @@ TEST(SignProver, NumbersBelow128BitsAreProvedNonzeroAndGetTheirSign)
   EXPECT_EQ(prover.statistics().algebra, 1u);
 }
 
+TEST(SignProver, AZeroOfTooManyTermsStaysUnprovedAndDoesNotHinderOthers)
+{
+  // the areas of twenty faces of a random hull have independent roots, and their product has 2^20 terms
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::random_hull(1, 30));
+  const Surface surface(mesh, mesh.points());
+  const Mesh::Halfedge_index h = *halfedges(mesh).begin();
+  const auto expression = [&](const auto& arithmetic, auto& values) {
+    values[0] = (arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h))).y();
+    if(!values.wants(1))
+      return;
+    auto product = arithmetic.number(1);
+    for(Mesh::Face_index f : mesh.faces())
+      if(static_cast<std::size_t>(f) < 20)
+        product = product * (arithmetic.number(1) + arithmetic.corner(mesh.halfedge(f)).y());
+    values[1] = product - product;
+  };
+  Sign_prover<Surface> prover(surface);
+  EXPECT_EQ(prover.signs(2, expression), (std::vector<Proved_sign>{Proved_sign::ZERO, Proved_sign::UNPROVED}));
+  EXPECT_EQ(prover.statistics().algebra, 1u);
+  EXPECT_EQ(prover.statistics().unproved, 1u);
+}
+
+TEST(SignProver, WhatHasNoImageInTheFiniteFieldIsProvedByTheBasis)
+{
+  // coordinates whose denominators are the prime of the field
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Kernel;
+  typedef CGAL::Surface_mesh<Kernel::Point_3> Exact_mesh;
+  Exact_mesh mesh = test_meshes::make_graph<Exact_mesh>(test_meshes::tetrahedron());
+  const Kernel::FT prime = Kernel::FT(static_cast<double>(std::uint64_t(1) << 61)) - 1;
+  for(auto v : vertices(mesh))
+  {
+    const Kernel::Point_3 p = mesh.point(v);
+    mesh.point(v) = Kernel::Point_3(p.x() / prime, p.y() / prime, p.z() / prime);
+  }
+  typedef Graph_surface<Exact_mesh, Exact_mesh::Property_map<Exact_mesh::Vertex_index, Kernel::Point_3> > Exact_surface;
+  const Exact_surface surface(mesh, mesh.points());
+  Sign_prover<Exact_surface> prover(surface);
+  const Exact_mesh::Halfedge_index h = *halfedges(mesh).begin();
+  const auto sine_of_sum = [&](const auto& arithmetic, auto& values) {
+    values[0] = (arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h))).y();
+  };
+  EXPECT_EQ(prover.sign(sine_of_sum), Proved_sign::ZERO);
+  EXPECT_EQ(prover.statistics().finite_field, 0u);
+  EXPECT_EQ(prover.statistics().algebra, 1u);
+}
+
+TEST(SignProver, WithTooManyRootsForABasisPrecisionGrowsUntilTheSignShows)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.1, 1, 8, 8));
+  ASSERT_GT(mesh.number_of_faces(), 100u);
+  const Surface surface(mesh, mesh.points());
+  // seen from its source, the third vertex of its face lies before the middle of it
+  const auto base = *std::find_if(halfedges(mesh).begin(), halfedges(mesh).end(), [&mesh](Mesh::Halfedge_index h) {
+    const auto a = mesh.point(mesh.source(h));
+    const auto u = mesh.point(mesh.target(h)) - a, v = mesh.point(mesh.target(mesh.next(h))) - a;
+    return u * v > 0.1 * (u * u) && u * v < 0.5 * (u * u);
+  });
+  const auto expression = [&mesh, base](int sign) {
+    return [&mesh, base, sign](const auto& arithmetic, auto& values) {
+      auto sum = arithmetic.number(0), power = arithmetic.number(sign);
+      for(Mesh::Face_index f : mesh.faces())
+        sum = sum + arithmetic.corner(mesh.halfedge(f)).y();
+      for(int i = 0; i < 200; ++i)
+        power = power * arithmetic.ratio(base).x();
+      values[0] = sum - sum + power; // far below 128 bits
+    };
+  };
+  Sign_prover<Surface> prover(surface);
+  EXPECT_EQ(prover.sign(expression(1)), Proved_sign::POSITIVE);
+  EXPECT_EQ(prover.statistics().multiprecision, 1u);
+  EXPECT_EQ(prover.sign(expression(0)), Proved_sign::UNPROVED);
+  EXPECT_EQ(prover.statistics().unproved, 1u);
+}
+
+TEST(SignProver, IntervalsThatNeverDecideAreGivenUp)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::tetrahedron());
+  const Surface surface(mesh, mesh.points());
+  Sign_prover<Surface> prover(surface);
+  std::size_t attempts = 0;
+  EXPECT_FALSE(prover.decide_by_intervals([&attempts](const auto&) {
+    ++attempts;
+    return false;
+  }));
+  EXPECT_GT(attempts, 2u);
+  EXPECT_EQ(prover.statistics().unproved, 1u);
+  // the first of the growing precisions
+  EXPECT_TRUE(prover.decide_by_intervals([](const auto& arithmetic) {
+    typedef typename std::decay_t<decltype(arithmetic)>::NT NT;
+    return std::is_same<NT, Multiprecision_interval>::value;
+  }));
+  EXPECT_EQ(prover.statistics().multiprecision, 1u);
+}
+
 // Angles are compared with pi by intervals the same way as by summing them up.
 TEST(AngleSum, AgreesWithTheSumOfTheAngles)
 {
@@ -282,6 +380,26 @@ TEST(AngleSum, AgreesWithTheSumOfTheAngles)
     else
       EXPECT_EQ(result, Angle_sum::AROUND_PI);
   }
+}
+
+// Sums whose sine does not show its sign.
+TEST(AngleSum, NearMultiplesOfPiTheCosineDecides)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::box(1, 1, 1));
+  const Surface surface(mesh, mesh.points());
+  typedef CGAL::Interval_nt<false> Interval;
+  Interval::Protector upward;
+  const Interval_arithmetic<Surface> arithmetic(surface);
+  const Planar<Interval> zero(Interval(1), Interval(0, 1e-10)), pi(Interval(-1), Interval(-1e-10, 1e-10)),
+      below_pi(Interval(-1), Interval(1e-12)), right(Interval(0), Interval(1)), any(Interval(-1, 1), Interval(-1, 1));
+  EXPECT_EQ(compare_angle_sum(arithmetic, {zero, zero}), Angle_sum::BELOW_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {pi, zero}), Angle_sum::AROUND_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {right, right, zero}), Angle_sum::AROUND_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {below_pi, pi}), Angle_sum::ABOVE_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {pi, pi}), Angle_sum::ABOVE_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {below_pi, right}), Angle_sum::ABOVE_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {any}), Angle_sum::UNKNOWN);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {pi, any}), Angle_sum::UNKNOWN);
 }
 
 } // namespace test_exact_arithmetic

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/exact_models.h"
 #include "include/geodesic_check.h"
 #include "include/test_meshes.h"
 
+#include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Closed_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <deque>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <iterator>
+#include <memory>
 #include <random>
 #include <set>
 #include <string>
@@ -131,6 +141,280 @@ TEST(Tightening, AFlatBandIsRepresentedByTheEndWithTheSmallerVertex)
   const Loop& smaller = *std::min_element(one.begin(), one.end()) < *std::min_element(other.begin(), other.end()) ? one
                                                                                                                 : other;
   EXPECT_EQ(pivots.front(), std::set<Mesh::Vertex_index>(smaller.begin(), smaller.end()));
+}
+
+TEST(Tightening, BandsAreTheSameWithoutCertificates)
+{
+  for(unsigned seed = 0; seed < 6; ++seed)
+  {
+    const test_meshes::Soup soup = test_meshes::relabelled(test_meshes::boxes_with_tube(4), seed);
+    const Mesh mesh = test_meshes::make_mesh(soup);
+    for(double x : {2, 4, 6})
+    {
+      const Loop square = loop_of(mesh, {{{x, 1, 1}}, {{x, 2, 1}}, {{x, 2, 2}}, {{x, 1, 2}}});
+      const auto certified = tighten_closed_curve(mesh, square);
+      const auto result = tighten_closed_curve(mesh, square, SMC::parameters::certify(false));
+      ASSERT_EQ(result.verdict, Tightening_verdict::CLOSED_GEODESIC);
+      EXPECT_NEAR(result.curve.flat_band_width(), 4, 1e-12);
+      std::set<Mesh::Vertex_index> pivots, expected;
+      for(const auto& p : result.curve.pivots())
+        pivots.insert(p.vertex);
+      for(const auto& p : certified.curve.pivots())
+        expected.insert(p.vertex);
+      EXPECT_EQ(pivots, expected);
+    }
+  }
+}
+
+// Below the belt a prism ends with a face; above it, at a shelf with a thinner one that is a neck, 3 high.
+TEST(Tightening, ACurveThatLeaksOverAShelfIsHeldByTheNeckBehindIt)
+{
+  const auto square = exact_models::square();
+  const Mesh mesh = test_meshes::make_mesh(exact_models::tube(
+      {exact_models::ring(square, 3, 0), exact_models::ring(square, 3, 2), exact_models::ring(square, 3, 5),
+       exact_models::ring(square, 1, 5), exact_models::ring(square, 1, 8), exact_models::ring(square, 3, 8),
+       exact_models::ring(square, 3, 12)}));
+  const Loop belt = loop_of(mesh, exact_models::ring(square, 3, 2)); // with the shelf on its left
+  const auto result = tighten_closed_curve(mesh, belt, SMC::parameters::certify(false));
+  ASSERT_EQ(result.verdict, Tightening_verdict::CLOSED_GEODESIC);
+  EXPECT_NEAR(result.curve.length(), 8, 8e-12);
+  EXPECT_NEAR(result.curve.flat_band_width(), 3, 1e-12);
+}
+
+// A torus without curvature: a prism's side, and the same from inside, joined at both ends. The band of a curve around
+// the prism has no end.
+TEST(Tightening, ABandThatClosesInItselfIsRepresentedByTheSmallestVertex)
+{
+  const std::size_t n = 5;
+  test_meshes::Soup torus;
+  for(double z : {0., 300., 600., 300.})
+    for(const test_meshes::Position& p : exact_models::ring(exact_models::polygon(n), 1, z))
+      torus.points.push_back(p);
+  for(std::size_t r = 0; r < 4; ++r)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t j = (i + 1) % n, a = n * r, b = n * ((r + 1) % 4);
+      torus.faces.push_back({{a + i, a + j, b + j}});
+      torus.faces.push_back({{a + i, b + j, b + i}});
+    }
+  for(unsigned seed = 0; seed < 6; ++seed)
+  {
+    // which place each vertex got
+    test_meshes::Soup numbered = torus;
+    for(std::size_t v = 0; v < numbered.points.size(); ++v)
+      numbered.points[v] = {{double(v), 0, 0}};
+    std::vector<Mesh::Vertex_index> place(torus.points.size());
+    const test_meshes::Soup names = test_meshes::relabelled(numbered, seed);
+    for(std::size_t v = 0; v < names.points.size(); ++v)
+      place[static_cast<std::size_t>(names.points[v][0])] = Mesh::Vertex_index(static_cast<Index>(v));
+
+    const Mesh mesh = test_meshes::make_mesh(test_meshes::relabelled(torus, seed));
+    for(std::size_t r = 0; r < 4; ++r)
+    {
+      const Loop ring(place.begin() + static_cast<std::ptrdiff_t>(n * r),
+                      place.begin() + static_cast<std::ptrdiff_t>(n * (r + 1)));
+      const auto result = tighten_closed_curve(mesh, ring, SMC::parameters::certify(false));
+      ASSERT_EQ(result.verdict, Tightening_verdict::CLOSED_GEODESIC);
+      std::set<Mesh::Vertex_index> pivots;
+      for(const auto& p : result.curve.pivots())
+        pivots.insert(p.vertex);
+      EXPECT_EQ(pivots.count(Mesh::Vertex_index(0)), 1u);
+    }
+  }
+}
+
+TEST(LengthUnit, IsAShareOfTheDiagonalWhereverTheSurfaceIs)
+{
+  SMC::internal::Arc arc;
+  arc.length = 13;
+  for(unsigned seed = 0; seed < 4; ++seed)
+  {
+    test_meshes::Soup soup = test_meshes::relabelled(test_meshes::box(3, 4, 12), seed);
+    for(test_meshes::Position& p : soup.points)
+      p = {{p[0] + 10, p[1] - 40, p[2] + 5}};
+    const SMC::internal::Length_unit unit(test_meshes::make_progressive(soup));
+    EXPECT_EQ(unit(arc), std::int64_t(1) << 53);
+    EXPECT_EQ(unit(std::vector<SMC::internal::Arc>(3, arc)), 3 * (std::int64_t(1) << 53));
+  }
+}
+
+// A string is the same from either end, also where it runs through vertices in a straight line.
+TEST(StringPuller, TheWayBackIsTheSame)
+{
+  for(const test_meshes::Soup& soup : {test_meshes::torus(0.1, 5, 12, 8), test_meshes::box(4, 4, 4)})
+  {
+    const SMC::Progressive_mesh pm = test_meshes::make_progressive(soup);
+    SMC::internal::String_puller puller(pm);
+    std::mt19937 random(1);
+    for(int round = 0; round < 1000; ++round)
+    {
+      const Index out = static_cast<Index>(random() % (3 * soup.faces.size()));
+      SMC::internal::Strip strip = {pm.next(out)}, back;
+      for(int n = static_cast<int>(random() % 12); n > 0; --n)
+      {
+        const Index o = pm.opposite(strip.back());
+        strip.push_back(random() % 2 == 0 ? pm.next(o) : pm.prev(o));
+      }
+      const Index u = pm.source(out), w = pm.target(pm.next(pm.opposite(strip.back())));
+      for(auto h = strip.rbegin(); h != strip.rend(); ++h)
+        back.push_back(pm.opposite(*h));
+      std::vector<SMC::internal::Arc> there, and_back;
+      puller.pull(u, strip, w, there);
+      puller.pull(w, back, u, and_back);
+      ASSERT_EQ(there.size(), and_back.size());
+      for(std::size_t i = 0; i < there.size(); ++i)
+      {
+        const SMC::internal::Arc &a = there[i], &b = and_back[there.size() - 1 - i];
+        EXPECT_EQ(a.from, b.to);
+        EXPECT_EQ(a.to, b.from);
+        EXPECT_EQ(a.crossings.size(), b.crossings.size());
+        EXPECT_NEAR(a.length, b.length, 1e-12);
+      }
+    }
+  }
+}
+
+// The strip around a prism with one vertex between its ends, past that vertex on its upper side.
+struct StripAroundPrism : public ::testing::Test
+{
+  static constexpr int n = 6;
+
+  void SetUp() override { make(1); }
+
+  void make(double factor)
+  {
+    soup = exact_models::prism_with_one_vertex(n, factor);
+    pm.reset(new SMC::Progressive_mesh(test_meshes::make_progressive(soup)));
+    vertex = static_cast<Index>(exact_models::vertex_at_height(soup, 650));
+    SMC::internal::Arc arc; // with the upper end on its left
+    arc.from = arc.to = vertex;
+    const auto height = [this](Index v) { return pm->point(v).z(); };
+    for(Index h : exact_models::crossings_at_height_of(*pm, vertex, height, false))
+      arc.crossings.push_back(h);
+    SMC::internal::measure(*pm, arc);
+    strip.assign(arc.crossings.begin(), arc.crossings.end());
+    SMC::internal::append_fan(*pm, arc, arc, SMC::internal::Turn::LEFT, strip);
+  }
+
+  test_meshes::Soup soup;
+  std::unique_ptr<SMC::Progressive_mesh> pm;
+  Index vertex = 0;
+  SMC::internal::Strip strip;
+};
+
+TEST_F(StripAroundPrism, HasEachVertexOnceAsACorner)
+{
+  const SMC::internal::Closed_strip closed(*pm, strip);
+  std::vector<Index> corners, expected = {vertex};
+  for(const auto& corner : closed.corners())
+    corners.push_back(corner.vertex);
+  auto ring = exact_models::vertices_at(soup, exact_models::ring(exact_models::polygon(n), 1, 900));
+  expected.insert(expected.end(), ring.begin(), ring.end());
+  ring = exact_models::vertices_at(soup, exact_models::ring(exact_models::polygon(n), 1, 500));
+  expected.insert(expected.end(), ring.begin() + 1, ring.end()); // the first is behind the vertex
+  std::sort(corners.begin(), corners.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(corners, expected);
+}
+
+TEST_F(StripAroundPrism, IsAsHighAsFromTheVertexToTheUpperEnd)
+{
+  const SMC::internal::Closed_strip closed(*pm, strip);
+  const auto up = closed.foremost_corner(SMC::internal::Turn::LEFT),
+             down = closed.foremost_corner(SMC::internal::Turn::RIGHT);
+  EXPECT_EQ(down.vertex, vertex);
+  EXPECT_NEAR(closed.height(up, down), 250, 1e-9);
+  EXPECT_NEAR(closed.height(down, up), -250, 1e-9);
+}
+
+TEST_F(StripAroundPrism, BendsAroundTheNarrowerEnd)
+{
+  make(0.9);
+  EXPECT_EQ(SMC::internal::Closed_strip(*pm, strip).inner_side(), SMC::internal::Turn::LEFT);
+  make(1.1);
+  EXPECT_EQ(SMC::internal::Closed_strip(*pm, strip).inner_side(), SMC::internal::Turn::RIGHT);
+}
+
+TEST_F(StripAroundPrism, WhatIsCrossedForthAndBackAtItsEndsIsRemoved)
+{
+  const Index first = strip.front(), arrival = pm->opposite(strip.back());
+  const Index third = pm->next(first) == arrival ? pm->prev(first) : pm->next(first);
+  SMC::internal::Strip longer = {pm->opposite(third)};
+  longer.insert(longer.end(), strip.begin(), strip.end());
+  longer.push_back(third);
+  const SMC::internal::Closed_strip closed(*pm, strip), same(*pm, longer);
+  EXPECT_EQ(same.corners().size(), closed.corners().size());
+  EXPECT_EQ(same.rotated(same.corners().front()), closed.rotated(closed.corners().front()));
+}
+
+TEST(ClosedStrip, AroundOneVertexItIsDegenerate)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::sharp_cone());
+  SMC::internal::Strip clockwise, counterclockwise;
+  const Index begin = pm.outgoing(0); // of the apex
+  for(Index h = begin; clockwise.empty() || h != begin; h = pm.next(pm.opposite(h)))
+    clockwise.push_back(h);
+  for(auto h = clockwise.rbegin(); h != clockwise.rend(); ++h)
+    counterclockwise.push_back(pm.opposite(*h));
+  EXPECT_EQ(clockwise.size(), 12u);
+  EXPECT_TRUE(SMC::internal::Closed_strip(pm, clockwise).is_degenerate());
+  EXPECT_TRUE(SMC::internal::Closed_strip(pm, counterclockwise).is_degenerate());
+}
+
+// The shortest loops through each corner of random closed strips, some of which are so wide that they unfold over the
+// centre that they turn around.
+TEST(Tightening, LoopsInAnyStripBecomeGeodesicsOrShrink)
+{
+  std::size_t loops = 0;
+  for(const test_meshes::Soup& soup : {test_meshes::sharp_cone(), test_meshes::torus(0.3, 2, 8, 5),
+                                       test_meshes::square_ring(), test_meshes::dumbbell(0.2, 3, 8, 6)})
+  {
+    const SMC::Progressive_mesh pm = test_meshes::make_progressive(soup);
+    SMC::internal::String_puller puller(pm);
+    std::mt19937 random(4);
+    for(int round = 0; round < 500; ++round)
+    {
+      SMC::internal::Strip strip = {static_cast<Index>(random() % (3 * soup.faces.size()))};
+      while(strip.size() < 60)
+      {
+        const Index o = pm.opposite(strip.back()), h = random() % 2 == 0 ? pm.next(o) : pm.prev(o);
+        if(h == strip[0])
+          break;
+        strip.push_back(h);
+      }
+      if(strip.size() == 60)
+        continue;
+      const SMC::internal::Closed_strip closed(pm, strip);
+      if(closed.is_degenerate())
+        continue;
+      for(const auto& corner : closed.corners())
+      {
+        std::vector<SMC::internal::Arc> arcs = closed.shortest_loop(corner, puller);
+        if(arcs.empty())
+          continue;
+        ++loops;
+        double before = 0;
+        for(const SMC::internal::Arc& a : arcs)
+          before += a.length;
+        SMC::internal::Curve_network network(pm, false);
+        const Index c = network.add_curve(0);
+        network.set_arcs(c, arcs);
+        SMC::internal::Tightener tightener(network, SMC::internal::Length_unit(pm));
+        tightener.enqueue_all(c);
+        tightener.run();
+        if(network.is_empty(c))
+          continue;
+        EXPECT_LE(network.length(c), before * (1 + 1e-14));
+        const std::vector<SMC::internal::Arc> tight = SMC::internal::arcs_of_curve(network, c);
+        for(std::size_t i = 0; i < tight.size(); ++i)
+        {
+          const auto angles = SMC::internal::side_angles(pm, tight[i], tight[(i + 1) % tight.size()]);
+          EXPECT_GE(std::min(angles.left, angles.right), CGAL_PI - 1e-9);
+        }
+      }
+    }
+  }
+  EXPECT_GT(loops, 100u);
 }
 
 TEST(Tightening, SpursAndOverlapsAreShortenedAway)

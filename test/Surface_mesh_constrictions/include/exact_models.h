@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -101,6 +102,72 @@ inline Soup twisted_cylinder()
     b.triangle(high[0], high[i], high[i + 1]);
   }
   return b.soup;
+}
+
+// A prism between two wider ones, its upper end `factor` times as wide as its lower one. Of its sides' vertices one
+// lies between the ends: on the first edge, below the middle, so that above it is not the mirror image of below.
+inline Soup prism_with_one_vertex(int n, double factor)
+{
+  const auto p = polygon(n);
+  const auto low = ring(p, 1, 500), high = ring(p, factor, 900),
+             bottom = ring(p, 3, 500), top = ring(p, 3, 900);
+  const Position v = {{(5 * low[0][0] + 3 * high[0][0]) / 8, (5 * low[0][1] + 3 * high[0][1]) / 8, 650}};
+  Soup_builder b;
+  for(std::size_t i = 0; i < low.size(); ++i)
+  {
+    const std::size_t j = (i + 1) % low.size();
+    b.quad(bottom[i], bottom[j], low[j], low[i]);
+    b.quad(high[i], high[j], top[j], top[i]);
+    if(i == 0)
+    {
+      b.triangle(low[i], low[j], v);
+      b.triangle(low[j], high[j], v);
+      b.triangle(v, high[j], high[i]);
+    }
+    else if(j == 0)
+    {
+      b.triangle(low[i], low[j], v);
+      b.triangle(low[i], v, high[i]);
+      b.triangle(high[i], v, high[j]);
+    }
+    else
+      b.quad(low[i], low[j], high[j], high[i]);
+  }
+  for(std::size_t i = 1; i + 1 < low.size(); ++i)
+  {
+    b.triangle(bottom[0], bottom[i + 1], bottom[i]);
+    b.triangle(top[0], top[i], top[i + 1]);
+  }
+  return b.soup;
+}
+
+inline std::size_t vertex_at_height(const Soup& soup, double z)
+{
+  return static_cast<std::size_t>(std::find_if(soup.points.begin(), soup.points.end(),
+                                               [z](const Position& p) { return p[2] == z; }) - soup.points.begin());
+}
+
+// What a curve crosses that starts at a vertex and stays at its height until it is back; height(w) is that of a vertex.
+// Seen from above it runs clockwise, or the other way.
+template <class Surface, class Vertex, class Height>
+auto crossings_at_height_of(const Surface& s, Vertex v, const Height& height, bool is_clockwise)
+{
+  typedef decltype(s.outgoing(v)) Halfedge;
+  const double z = height(v);
+  const auto is_crossed = [&](Halfedge h) { // its target is on the left
+    const double target = height(s.target(h)), source = height(s.source(h));
+    return is_clockwise ? target < z && source > z : target > z && source < z;
+  };
+  Halfedge h = s.next(s.outgoing(v));
+  while(!is_crossed(h))
+    h = s.next(s.opposite(s.prev(s.prev(h))));
+  std::vector<Halfedge> result = {h};
+  while(s.target(s.next(s.opposite(result.back()))) != v)
+  {
+    const Halfedge n = s.next(s.opposite(result.back()));
+    result.push_back(is_crossed(n) ? n : s.next(n));
+  }
+  return result;
 }
 
 // The closed path of edges through these vertices, in the order of vertices(mesh), as a curve.
