@@ -187,7 +187,8 @@ TEST(SectionSeeds, PlanesAndDistancesCutATubeAround)
   }
 }
 
-// Four necks between five bulges: of the sections across the axis those at the necks are given.
+// Four necks at the heights 2, 4, 6 and 8, and the bulges between them: of the sections across the axis those are given
+// that lie where the radius hardly changes, at each neck one at least, and none on the flanks.
 TEST(SectionSeeds, AlongATubeOnlyTheShortestAroundIsGiven)
 {
   const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::chain_of_necks(0, 1));
@@ -198,13 +199,20 @@ TEST(SectionSeeds, AlongATubeOnlyTheShortestAroundIsGiven)
   SMC::internal::Sections sections(pm);
   std::vector<Seed_curve> seeds;
   sections.cut(graph, heights, 52, std::back_inserter(seeds));
-  ASSERT_EQ(seeds.size(), 5u); // and one at the last end, where the surface is a cylinder and all are equally long
-  for(std::size_t i = 0; i < 4; ++i)
+  EXPECT_LE(seeds.size(), 20u);
+  std::set<int> necks;
+  for(const Seed_curve& s : seeds)
   {
-    expect_closed_path(pm, seeds[i]);
-    for(Index v : seeds[i].vertices)
-      EXPECT_NEAR(pm.point(v).z(), 2 * static_cast<double>(i + 1), 0.2);
+    expect_closed_path(pm, s);
+    double z = 0;
+    for(Index v : s.vertices)
+      z += pm.point(v).z() / static_cast<double>(s.vertices.size());
+    const double neck = std::min(std::max(2 * std::round(z / 2), 2.), 8.), distance = std::abs(z - neck);
+    if(distance < 0.2)
+      necks.insert(static_cast<int>(neck));
+    EXPECT_FALSE(0.25 < distance && distance < 0.75) << z;
   }
+  EXPECT_EQ(necks.size(), 4u);
 }
 
 // Of two components each is cut, and no path joins them.

@@ -193,13 +193,13 @@ TEST(Selection, ACactusHasItsTrunkAndItsArms)
   EXPECT_NEAR(curves[2].length(), 0.291, 0.001);
 }
 
-// Two rings that share a bar: the two holes, the bar, and the thinnest places of the rings.
+// Two rings that share a bar: the two holes, the bar, the thinnest places of the rings, and two ways around both holes.
 TEST(Selection, AnEightHasItsHolesAndItsRings)
 {
   std::vector<Constriction> curves;
   SMC::detect_constrictions(read("eight.off"), std::back_inserter(curves));
   ASSERT_GE(curves.size(), 7u);
-  EXPECT_LE(curves.size(), 8u);
+  EXPECT_LE(curves.size(), 9u);
   std::size_t holes = 0, rings = 0;
   for(const Constriction& c : curves)
   {
