@@ -150,16 +150,14 @@ inline std::vector<Index> curves_asked_for(const Curve_network& network, const L
   return result;
 }
 
-// See `CGAL::Surface_mesh_constrictions::merge_seed_curves()`; `coarse` is a copy of a coarser level, or null.
-template <class ConcurrencyTag, class OutputIterator>
-OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds, std::size_t level,
-                                 const Merging_parameters& parameters, const Level_copy* coarse, OutputIterator out)
+// Carries seeds, in an order from the coarsest level, to a level as paths of edges, each path once. Those of finer levels
+// stay where they are: the number of the others is written to `number_carried`. The surface is at the level afterwards.
+inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,
+                                               const std::vector<std::size_t>& order, std::size_t level,
+                                               std::size_t& number_carried)
 {
   typedef std::vector<Index> Path;
-  const std::vector<std::size_t> order = coarsest_first(seeds);
-  std::size_t number_carried = 0;
   Edge_paths carried(pm);
-  pm.go_to_level(order.empty() ? level : (std::max)(level, seeds[order.front()].level));
   for(;; carried.split())
   {
     for(; number_carried < order.size() && seeds[order[number_carried]].level == pm.level(); ++number_carried)
@@ -167,8 +165,6 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
     if(pm.level() == level)
       break;
   }
-
-  // equal paths are one
   std::vector<Merged_seed> paths;
   std::unordered_map<Path, std::size_t, boost::hash<Path> > known;
   for(std::size_t i = 0; i < number_carried; ++i)
@@ -180,21 +176,33 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
       paths.push_back({Seed_curve{level, std::move(path), seeds[order[i]].origin}, {}, Merging_verdict::KEPT});
     paths[it.first->second].seeds.push_back(order[i]);
   }
+  return paths;
+}
+
+// See `CGAL::Surface_mesh_constrictions::merge_seed_curves()`; `coarse` is a copy of a coarser level, or null.
+template <class ConcurrencyTag, class OutputIterator>
+OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds, std::size_t level,
+                                 const Merging_parameters& parameters, const Level_copy* coarse, OutputIterator out)
+{
+  typedef std::vector<Index> Path;
+  const std::vector<std::size_t> order = coarsest_first(seeds);
+  pm.go_to_level(order.empty() ? level : (std::max)(level, seeds[order.front()].level));
+  std::size_t number_carried = 0;
+  const std::vector<Merged_seed> paths = distinct_paths(pm, seeds, order, level, number_carried);
 
   const auto give_up = [&](std::size_t i, Merging_verdict verdict) {
     *out++ = Merged_seed{Seed_curve{level, {}, paths[i].curve.origin}, paths[i].seeds, verdict};
   };
   // ids of the level's own keep what belongs together close in memory
   const Level_copy level_copy(pm);
-  std::vector<Path> copies;
-  for(const Merged_seed& m : paths)
-  {
-    copies.push_back(m.curve.vertices);
-    for(Index& v : copies.back())
+  const auto path_on_copy = [&](std::size_t i) {
+    Path path = paths[i].curve.vertices;
+    for(Index& v : path)
       v = level_copy.vertex(v);
-  }
+    return path;
+  };
   Curve_network network(level_copy.surface(), false);
-  for(std::size_t i : tighten_paths<ConcurrencyTag>(copies, network))
+  for(std::size_t i : tighten_paths<ConcurrencyTag>(paths.size(), path_on_copy, network))
     give_up(i, Merging_verdict::POINT);
 
   const std::vector<Index> asked = curves_asked_for(network, level_copy, parameters, coarse);

@@ -62,6 +62,9 @@ public:
   const Curve& curve(Index c) const { return m_curves[c]; }
   bool is_empty(Index c) const { return m_curves[c].size == 0; }
 
+  // Makes room for this number of arcs.
+  void reserve(std::size_t arcs) { m_nodes.reserve(arcs); }
+
   // Adds a curve without arcs.
   Index add_curve(std::size_t seed) { return add_curve(std::vector<std::size_t>(1, seed)); }
   Index add_curve(std::vector<std::size_t> seeds)
