@@ -18,13 +18,13 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Where many bumps stand side by side, a closed geodesic can pass each of them on either side, and there are
-// exponentially many. They cross each other. Of those that cross each other there and back one is selected: from this many
-// shorter ones that it crosses, a curve is one of such a family.
+// exponentially many, which cross each other. Of those that cross each other there and back one is selected. A curve
+// that crosses this many shorter ones is one of such a family.
 constexpr std::size_t crossing_limit = 16;
 
-// Tells closed geodesics that are going to be selected hardly ever because of shorter ones that they cross: they cross
-// many there and back, or they are composed of shorter ones, see `composed_constrictions()`. Curves come from the
-// shortest to the longest, so that few are kept of a family of any size.
+// Tells closed geodesics that would hardly ever be selected, because of shorter ones that they cross: they cross many
+// there and back, or they are composed of shorter ones, see `composed_constrictions()`. Curves come from the shortest to
+// the longest, so that few are kept of a family of any size.
 class Crossing_filter
 {
 public:

@@ -84,8 +84,8 @@ private:
     bool is_shortest;
   };
 
-  // Distributes the faces to the slabs, each up to a level and not further, the last one above all levels, and the halfedges
-  // between faces of different slabs to the levels. False for a function that is constant.
+  // Distributes the faces to the slabs, each up to a level and not further, the last one above all levels, and the
+  // halfedges between faces of different slabs to the levels. False for a function that is constant.
   bool make_slabs(const Edge_graph& graph, const std::vector<double>& values, std::size_t levels)
   {
     double least = infinity, greatest = -infinity;
@@ -149,8 +149,8 @@ private:
     } while(h != begin);
   }
 
-  // Of each loop of a level and one of the level before that bound a part of the slab between them, and no third one does,
-  // drops the longer. Those of the level before are [below, first), those of the level are the rest.
+  // Where a loop of a level and one of the level before bound a part of the slab between them, and no third one does, drops
+  // the longer. Those of the level before are [below, first), those of the level are the rest.
   void drop_longer(Index level, std::size_t below, std::size_t first)
   {
     const Index offset = static_cast<Index>(m_slab.size()); // of loops behind faces
@@ -202,11 +202,12 @@ private:
   std::vector<double> m_values; // of vertices, by id
   std::vector<Index> m_slab;    // of faces
   std::vector<std::vector<Index> > m_faces_of_slab;
-  std::vector<std::vector<Index> > m_boundary; // of a level: halfedges of faces that are not above it, next to faces that are
+  std::vector<std::vector<Index> > m_boundary; // of a level: halfedges of faces not above it, next to faces that are
   std::vector<Loop> m_loops;             // from the lowest level to the highest
   std::vector<std::size_t> m_is_walked;  // of halfedges: the stamp of the last walk along them
   std::size_t m_stamp = 0;               // of a level
-  std::vector<Index> m_parent, m_loop_at; // the parts of a slab as disjoint sets of faces and loops; of halfedges, a loop
+  std::vector<Index> m_parent;           // the parts of a slab as disjoint sets of faces and loops
+  std::vector<Index> m_loop_at;          // of halfedges
   std::vector<std::uint8_t> m_rank;
   std::vector<std::pair<Index, std::size_t> > m_loops_of_parts;
   std::unordered_set<std::vector<Index>, boost::hash<std::vector<Index> > > m_known;

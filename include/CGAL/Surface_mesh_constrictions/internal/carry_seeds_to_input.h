@@ -35,8 +35,8 @@ namespace internal {
 // asked for by this factor.
 constexpr double coarse_selection_factor = 2;
 
-// How many seeds are kept of those that become equal there, if constrictions are selected. More lead to more constrictions
-// that hardly differ, and one of those is selected.
+// How many seeds are kept of those that become equal there, if constrictions are selected. More lead to more
+// constrictions that hardly differ, and one of those is selected.
 constexpr std::size_t kept_for_selection = 4;
 
 // What the selection that the named parameters ask for makes worth carrying.
