@@ -196,9 +196,9 @@ TEST(SectionSeeds, AlongATubeOnlyTheShortestAroundIsGiven)
   std::vector<double> heights;
   for(Index v = 0; v < graph.number_of_vertices(); ++v)
     heights.push_back(pm.point(graph.id(v)).z());
-  SMC::internal::Sections sections(pm);
+  SMC::internal::Sections sections(pm, graph);
   std::vector<Seed_curve> seeds;
-  sections.cut(graph, heights, 52, std::back_inserter(seeds));
+  sections.cut(heights, 52, std::back_inserter(seeds));
   EXPECT_LE(seeds.size(), 20u);
   std::set<int> necks;
   for(const Seed_curve& s : seeds)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
@@ -65,10 +66,13 @@ template <class OutputIterator>
 OutputIterator non_face_triangles_at_vertex(const Progressive_mesh& pm, Index v, OutputIterator out)
 {
   boost::container::small_vector<Index, 16> ring; // the neighbours, counterclockwise
+  std::uint64_t bits = 0; // which tell of most vertices that they are none
+  const auto bit = [](Index u) { return std::uint64_t(1) << (u % 64); };
   const Index begin = pm.outgoing(v);
   Index h = begin;
   do {
     ring.push_back(pm.target(h));
+    bits |= bit(ring.back());
     h = pm.ccw(h);
   } while(h != begin);
 
@@ -80,7 +84,8 @@ OutputIterator non_face_triangles_at_vertex(const Progressive_mesh& pm, Index v,
     Index xy = xbegin;
     do {
       const Index y = pm.target(xy);
-      if(x < y && y != before && y != after && std::find(ring.begin(), ring.end(), y) != ring.end())
+      if(x < y && (bits & bit(y)) != 0 && y != before && y != after &&
+         std::find(ring.begin(), ring.end(), y) != ring.end())
         *out++ = Seed_curve{pm.level(), {v, x, y}, Seed_origin::NON_FACE_TRIANGLE};
       xy = pm.ccw(xy);
     } while(xy != xbegin);

@@ -35,7 +35,7 @@ OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator ou
                                    std::size_t planes = 56)
 {
   const internal::Edge_graph graph(pm);
-  internal::Sections sections(pm);
+  internal::Sections sections(pm, graph);
   std::vector<double> heights(graph.number_of_vertices());
   const double golden_angle = CGAL_PI * (3 - std::sqrt(5.0));
   for(std::size_t d = 0; d < directions; ++d)
@@ -48,7 +48,7 @@ OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator ou
       const auto& p = pm.point(graph.id(v));
       heights[v] = r * std::cos(phi) * p.x() + r * std::sin(phi) * p.y() + z * p.z();
     }
-    out = sections.cut(graph, heights, planes, out);
+    out = sections.cut(heights, planes, out);
   }
   return out;
 }
@@ -72,7 +72,7 @@ OutputIterator distance_section_seeds(const Progressive_mesh& pm, OutputIterator
   const std::size_t n = graph.number_of_vertices();
   if(n == 0)
     return out;
-  internal::Sections cutter(pm);
+  internal::Sections cutter(pm, graph);
   internal::Shortest_path_tree tree(graph);
   std::vector<std::vector<double> > distances;
   std::vector<double> nearest(n, (std::numeric_limits<double>::infinity)()), difference(n);
@@ -99,7 +99,7 @@ OutputIterator distance_section_seeds(const Progressive_mesh& pm, OutputIterator
     {
       std::transform(distances[i].begin(), distances[i].end(), distances[j].begin(), difference.begin(),
                      [](double a, double b) { return a - b; });
-      out = cutter.cut(graph, difference, sections, out);
+      out = cutter.cut(difference, sections, out);
     }
   }
   return out;

@@ -5,8 +5,8 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
+#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
 #include <boost/container_hash/hash.hpp>
 #include <boost/pending/disjoint_sets.hpp>
@@ -31,21 +31,39 @@ namespace internal {
 class Sections
 {
 public:
-  explicit Sections(const Progressive_mesh& pm)
-    : m_pm(pm), m_lengths(pm), m_values(pm.number_of_vertex_ids(), 0), m_slab(pm.number_of_face_ids(), 0),
-      m_is_walked(pm.number_of_halfedge_ids(), 0), m_loop_at(pm.number_of_halfedge_ids(), 0)
+  // Makes a compact copy of the current surface, whose vertices have the numbers that they have in the graph. O(size of T^0)
+  // for the ids, and linear in the size of the current surface.
+  Sections(const Progressive_mesh& pm, const Edge_graph& graph)
+    : m_level(pm.level()), m_graph(graph), m_slab_of_vertex(graph.number_of_vertices(), 0)
   {
+    std::vector<Index> vertex(pm.number_of_vertex_ids(), null_index), face(pm.number_of_face_ids(), null_index), faces;
+    for(Index v = 0; v < graph.number_of_vertices(); ++v)
+      vertex[graph.id(v)] = v;
     for(Index f = 0; f < pm.number_of_face_ids(); ++f)
       if(pm.is_face(f))
-        m_faces.push_back(f);
+      {
+        face[f] = static_cast<Index>(faces.size());
+        faces.push_back(f);
+      }
+    for(Index f : faces)
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const Index opposite = pm.opposite(h);
+        m_source.push_back(vertex[pm.source(h)]);
+        m_opposite.push_back(3 * face[pm.face(opposite)] + opposite % 3);
+        m_length.push_back(norm(vector(pm.point(pm.source(h)), pm.point(pm.target(h)))));
+      }
+    m_slab.resize(faces.size());
+    m_is_walked.resize(m_source.size(), 0);
+    m_loop_at.resize(m_source.size(), 0);
   }
 
   // Writes the loops of the given number of levels, at equal distances from the least value to the greatest. Values
   // are given by number in the graph; those that are not finite are above all levels. O(faces), plus the loops.
   template <class OutputIterator>
-  OutputIterator cut(const Edge_graph& graph, const std::vector<double>& values, std::size_t levels, OutputIterator out)
+  OutputIterator cut(const std::vector<double>& values, std::size_t levels, OutputIterator out)
   {
-    if(!make_slabs(graph, values, levels))
+    if(!make_slabs(values, levels))
       return out;
     m_loops.clear();
     std::size_t below = 0; // the first loop of the level before
@@ -65,10 +83,10 @@ public:
         continue;
       std::vector<Index> path;
       for(Index h : loop.halfedges)
-        path.push_back(m_pm.source(h));
+        path.push_back(m_graph.id(m_source[h]));
       make_canonical(path);
       if(m_known.insert(path).second)
-        *out++ = Seed_curve{m_pm.level(), std::move(path), Seed_origin::SECTION};
+        *out++ = Seed_curve{m_level, std::move(path), Seed_origin::SECTION};
     }
     return out;
   }
@@ -86,19 +104,15 @@ private:
 
   // Distributes the faces to the slabs, each up to a level and not further, the last one above all levels, and the
   // halfedges between faces of different slabs to the levels. False for a function that is constant.
-  bool make_slabs(const Edge_graph& graph, const std::vector<double>& values, std::size_t levels)
+  bool make_slabs(const std::vector<double>& values, std::size_t levels)
   {
     double least = infinity, greatest = -infinity;
-    for(Index v = 0; v < values.size(); ++v)
-    {
-      const bool is_finite = std::isfinite(values[v]);
-      m_values[graph.id(v)] = is_finite ? values[v] : infinity;
-      if(is_finite)
+    for(double value : values)
+      if(std::isfinite(value))
       {
-        least = (std::min)(least, values[v]);
-        greatest = (std::max)(greatest, values[v]);
+        least = (std::min)(least, value);
+        greatest = (std::max)(greatest, value);
       }
-    }
     if(!(least < greatest))
       return false;
 
@@ -112,25 +126,32 @@ private:
       faces.clear();
     for(std::vector<Index>& halfedges : m_boundary)
       halfedges.clear();
-    for(Index f : m_faces)
+    for(Index v = 0; v < values.size(); ++v)
     {
-      const double value = (std::max)({m_values[m_pm.source(3 * f)], m_values[m_pm.source(3 * f + 1)],
-                                       m_values[m_pm.source(3 * f + 2)]});
-      const double position = (std::min)((value - least) / step - 0.5, static_cast<double>(levels));
-      Index i = position <= 0 ? 0 : static_cast<Index>(position);
-      while(i < levels && level(i) < value)
-        ++i;
-      m_slab[f] = i;
-      m_faces_of_slab[i].push_back(f);
+      Index i = static_cast<Index>(levels);
+      if(std::isfinite(values[v]))
+      {
+        const double position = (values[v] - least) / step - 0.5;
+        i = position <= 0 ? 0 : (std::min)(static_cast<Index>(position), i);
+        while(i < levels && level(i) < values[v])
+          ++i;
+      }
+      m_slab_of_vertex[v] = i;
     }
-    for(Index f : m_faces)
-      for(Index h = 3 * f; h < 3 * f + 3; ++h)
-        for(Index i = m_slab[f]; i < m_slab[face_across(h)]; ++i)
-          m_boundary[i].push_back(h);
+    for(Index f = 0; f < m_slab.size(); ++f)
+    {
+      m_slab[f] = (std::max)({m_slab_of_vertex[m_source[3 * f]], m_slab_of_vertex[m_source[3 * f + 1]],
+                              m_slab_of_vertex[m_source[3 * f + 2]]});
+      m_faces_of_slab[m_slab[f]].push_back(f);
+    }
+    for(Index h = 0; h < m_source.size(); ++h)
+      for(Index i = m_slab[h / 3]; i < m_slab[face_across(h)]; ++i)
+        m_boundary[i].push_back(h);
     return true;
   }
 
-  Index face_across(Index h) const { return m_pm.face(m_pm.opposite(h)); }
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  Index face_across(Index h) const { return m_opposite[h] / 3; }
 
   // Follows the boundary of the faces below a level, which lie on its left, once around, along the boundary of one
   // and the same fan of faces at each vertex.
@@ -142,10 +163,10 @@ private:
     do {
       m_is_walked[h] = m_stamp;
       loop.halfedges.push_back(h);
-      loop.length += m_lengths[h];
-      h = m_pm.next(h);
+      loop.length += m_length[h];
+      h = next(h);
       while(m_slab[face_across(h)] <= level)
-        h = m_pm.next(m_pm.opposite(h));
+        h = next(m_opposite[h]);
     } while(h != begin);
   }
 
@@ -179,7 +200,7 @@ private:
       }
     for(std::size_t k = first; k < m_loops.size(); ++k)
       for(Index h : m_loops[k].halfedges) // where the slab is no wider than the edge, both loops run along it
-        parts.union_set(number(k), m_slab[m_pm.face(h)] == level ? m_pm.face(h) : m_loop_at[h]);
+        parts.union_set(number(k), m_slab[h / 3] == level ? h / 3 : m_loop_at[h]);
 
     m_loops_of_parts.clear();
     for(std::size_t k = below; k < m_loops.size(); ++k)
@@ -196,11 +217,12 @@ private:
     }
   }
 
-  const Progressive_mesh& m_pm;
-  Edge_lengths m_lengths;
-  std::vector<Index> m_faces;
-  std::vector<double> m_values; // of vertices, by id
-  std::vector<Index> m_slab;    // of faces
+  std::size_t m_level;
+  const Edge_graph& m_graph;
+  std::vector<Index> m_source, m_opposite; // of halfedges, three for each face
+  std::vector<double> m_length;            // of halfedges
+  std::vector<Index> m_slab_of_vertex;     // that in which it is or whose upper level it is on
+  std::vector<Index> m_slab;               // of faces
   std::vector<std::vector<Index> > m_faces_of_slab;
   std::vector<std::vector<Index> > m_boundary; // of a level: halfedges of faces not above it, next to faces that are
   std::vector<Loop> m_loops;             // from the lowest level to the highest
