@@ -68,12 +68,6 @@ public:
 private:
   Homogeneous best_point_between(const Homogeneous& p, const Homogeneous& q) const
   {
-    const auto between = [&](double t) {
-      Homogeneous r;
-      for(std::size_t i = 0; i < 4; ++i)
-        r[i] = p[i] + t * (q[i] - p[i]);
-      return r;
-    };
     const Homogeneous d = {{q[0] - p[0], q[1] - p[1], q[2] - p[2], q[3] - p[3]}};
     const double a = (*this)(d, d), b = 2 * (*this)(p, d);
     if(a == 0)
@@ -88,7 +82,10 @@ private:
     const double t = -b / (2 * a);
     if(t < 0 || t > 1 || a < 0)
       return (*this)(p, p) > (*this)(q, q) ? q : p;
-    return between(t);
+    Homogeneous result;
+    for(std::size_t i = 0; i < 4; ++i)
+      result[i] = p[i] + t * d[i];
+    return result;
   }
 
   std::array<double, 10> m; // row by row
