@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <iterator>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,7 +26,8 @@ namespace Surface_mesh_constrictions {
 struct Carrying_parameters
 {
   std::size_t merging_vertices = 1000; ///< where seeds are merged
-  Merging_parameters merging;          ///< what is kept there, and, but for `kept`, where curves are tightened
+  /// what is kept there, and, but for `kept` and `minimum_prominence`, where curves are tightened: few are left to measure
+  Merging_parameters merging;
   /// the coarsest surface on which curves are tightened, moved to edges, and merged again
   std::size_t tightening_vertices = 16384;
   /// how many times as many vertices the next such surface has; the last has less than half of those of the input
@@ -63,12 +63,10 @@ OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   for(std::size_t i = 0; i < seeds.size(); ++i)
     stands_for[i].push_back(i);
 
-  std::optional<internal::Level_copy> coarse;
   Merging_parameters merging = parameters.merging;
   const auto merge_on = [&](std::size_t level) {
     std::vector<Merged_seed> merged;
-    internal::merge_seed_curves<ConcurrencyTag>(pm, curves, level, merging, coarse ? &*coarse : nullptr,
-                                                std::back_inserter(merged));
+    merge_seed_curves<ConcurrencyTag>(pm, curves, level, merging, std::back_inserter(merged));
     visitor.on_level(level);
     std::vector<Seed_curve> kept;
     std::vector<std::vector<std::size_t> > kept_for;
@@ -92,14 +90,11 @@ OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   const std::size_t merging_level = pm.level_with(parameters.merging_vertices);
   merge_on(merging_level);
   merging.tight = true;
+  merging.minimum_prominence = 0;
   for(std::size_t vertices = parameters.tightening_vertices; pm.level_with(2 * vertices) > 0;
       vertices *= parameters.tightening_factor)
-  {
-    if(!coarse && merging.minimum_prominence > 0)
-      coarse.emplace(pm);
     if(pm.level_with(vertices) < merging_level)
       merge_on(pm.level_with(vertices));
-  }
 
   const std::vector<std::size_t> order = internal::coarsest_first(curves);
   internal::Edge_paths paths(pm);

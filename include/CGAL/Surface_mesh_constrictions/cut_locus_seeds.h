@@ -24,8 +24,9 @@ namespace Surface_mesh_constrictions {
 ///
 /// Take the shortest paths along edges from `root` to all vertices. An edge is on the cut locus of `root` if its two
 /// ends are reached through different neighbours of `root`; it closes a loop, from `root` to its one end, along it, and
-/// back. The loop is written if none of the other edges of the two faces at the edge closes a shorter one, unless it
-/// bounds a face. Edges of length zero are allowed.
+/// back. Two edges of a face that are on the cut locus follow each other along it. The loop is written if none of the next
+/// two edges along the cut locus, whichever way, closes a shorter one, unless it bounds a face. Edges of length zero are
+/// allowed.
 ///
 /// The loops are geodesic but for the resolution of the edges everywhere but at `root` and at the edge that closes them.
 /// They are a source of seed curves for the question of the paper's Section 6, how to find all constrictions.

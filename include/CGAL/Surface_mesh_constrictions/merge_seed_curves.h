@@ -88,11 +88,9 @@ inline std::vector<std::size_t> coarsest_first(const std::vector<Seed_curve>& se
   return order;
 }
 
-// Of those closed geodesics of a copied level the ones that may be asked for, as far as this level tells. Curves that are
-// not simple here may be on a finer level. If there is a copy of a coarser level prominences are measured there, and curves
-// that are not there may be asked for. Cost: that of the areas and prominences.
-inline std::vector<Index> curves_asked_for(const Curve_network& network, const Level_copy& level,
-                                           const Merging_parameters& parameters, const Level_copy* coarse)
+// Of those closed geodesics of a level the ones that may be asked for, as far as this level tells. Curves that are not
+// simple here may be on a finer level. Cost: that of the areas and prominences.
+inline std::vector<Index> curves_asked_for(const Curve_network& network, const Merging_parameters& parameters)
 {
   const Progressive_mesh& pm = network.surface();
   std::vector<Index> all, result, simple;
@@ -125,25 +123,9 @@ inline std::vector<Index> curves_asked_for(const Curve_network& network, const L
     result.insert(result.end(), simple.begin(), simple.end());
   else
   {
-    std::vector<Prominence> p(simple.size());
-    std::vector<bool> is_unknown(simple.size(), false);
-    if(coarse == nullptr)
-      p = prominences(pm, traces, parameters.crossing);
-    else
-    {
-      std::vector<double> lengths;
-      std::vector<std::vector<Index> > passed;
-      for(std::size_t i = 0; i < simple.size(); ++i)
-      {
-        lengths.push_back(network.length(simple[i]));
-        passed.push_back(vertices_passed(pm, traces[i]));
-        for(Index& v : passed.back())
-          v = level.original(v);
-      }
-      is_unknown = add_coarse_prominences(*coarse, lengths, passed, parameters.crossing, p);
-    }
+    const std::vector<Prominence> p = prominences(pm, traces, parameters.crossing);
     for(std::size_t i = 0; i < simple.size(); ++i)
-      if(is_unknown[i] || p[i].value >= parameters.minimum_prominence)
+      if(p[i].value >= parameters.minimum_prominence)
         result.push_back(simple[i]);
   }
   std::sort(result.begin(), result.end());
@@ -179,76 +161,6 @@ inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::
   return paths;
 }
 
-// See `CGAL::Surface_mesh_constrictions::merge_seed_curves()`; `coarse` is a copy of a coarser level, or null.
-template <class ConcurrencyTag, class OutputIterator>
-OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds, std::size_t level,
-                                 const Merging_parameters& parameters, const Level_copy* coarse, OutputIterator out)
-{
-  typedef std::vector<Index> Path;
-  const std::vector<std::size_t> order = coarsest_first(seeds);
-  pm.go_to_level(order.empty() ? level : (std::max)(level, seeds[order.front()].level));
-  std::size_t number_carried = 0;
-  const std::vector<Merged_seed> paths = distinct_paths(pm, seeds, order, level, number_carried);
-
-  const auto give_up = [&](std::size_t i, Merging_verdict verdict) {
-    *out++ = Merged_seed{Seed_curve{level, {}, paths[i].curve.origin}, paths[i].seeds, verdict};
-  };
-  // ids of the level's own keep what belongs together close in memory
-  const Level_copy level_copy(pm);
-  const auto path_on_copy = [&](std::size_t i) {
-    Path path = paths[i].curve.vertices;
-    for(Index& v : path)
-      v = level_copy.vertex(v);
-    return path;
-  };
-  Curve_network network(level_copy.surface(), false);
-  for(std::size_t i : tighten_paths<ConcurrencyTag>(paths.size(), path_on_copy, network))
-    give_up(i, Merging_verdict::POINT);
-
-  const std::vector<Index> asked = curves_asked_for(network, level_copy, parameters, coarse);
-  for(Index c = 0; c < network.number_of_curve_ids(); ++c)
-  {
-    if(network.is_empty(c))
-      continue;
-    const std::vector<std::size_t>& ends_here = network.curve(c).seeds;
-    if(!std::binary_search(asked.begin(), asked.end(), c))
-    {
-      for(std::size_t i : ends_here)
-        give_up(i, Merging_verdict::DISCARDED);
-      continue;
-    }
-    std::vector<std::pair<double, std::size_t> > equal; // lengths and numbers of paths
-    for(std::size_t i : ends_here)
-      equal.emplace_back(length_of_path(pm, paths[i].curve.vertices), i);
-    std::sort(equal.begin(), equal.end());
-    const std::size_t n = equal.size();
-    const std::size_t k = level == 0 || parameters.tight ? 1 : (std::min)(n, parameters.kept);
-    for(std::size_t i = 0; i < k; ++i)
-    {
-      const std::size_t begin = i * n / k, end = (i + 1) * n / k;
-      Merged_seed merged = paths[equal[begin].second];
-      for(std::size_t j = begin + 1; j < end; ++j)
-      {
-        const std::vector<std::size_t>& others = paths[equal[j].second].seeds;
-        merged.seeds.insert(merged.seeds.end(), others.begin(), others.end());
-      }
-      if(parameters.tight)
-      {
-        const Progressive_mesh& surface = level_copy.surface();
-        Path path = path_beside_curve(surface, trace(surface, arcs_of_curve(network, c)));
-        for(Index& v : path)
-          v = level_copy.original(v);
-        if(path.size() > 2)
-          merged.curve.vertices.swap(path);
-      }
-      *out++ = std::move(merged);
-    }
-  }
-  for(std::size_t i = number_carried; i < order.size(); ++i)
-    *out++ = Merged_seed{seeds[order[i]], {order[i]}, Merging_verdict::KEPT};
-  return out;
-}
-
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -277,7 +189,70 @@ template <class ConcurrencyTag = Sequential_tag, class OutputIterator>
 OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds, std::size_t level,
                                  const Merging_parameters& parameters, OutputIterator out)
 {
-  return internal::merge_seed_curves<ConcurrencyTag>(pm, seeds, level, parameters, nullptr, out);
+  typedef std::vector<Index> Path;
+  const std::vector<std::size_t> order = internal::coarsest_first(seeds);
+  pm.go_to_level(order.empty() ? level : (std::max)(level, seeds[order.front()].level));
+  std::size_t number_carried = 0;
+  const std::vector<Merged_seed> paths = internal::distinct_paths(pm, seeds, order, level, number_carried);
+
+  const auto give_up = [&](std::size_t i, Merging_verdict verdict) {
+    *out++ = Merged_seed{Seed_curve{level, {}, paths[i].curve.origin}, paths[i].seeds, verdict};
+  };
+  // ids of the level's own keep what belongs together close in memory
+  const internal::Level_copy level_copy(pm);
+  const auto path_on_copy = [&](std::size_t i) {
+    Path path = paths[i].curve.vertices;
+    for(Index& v : path)
+      v = level_copy.vertex(v);
+    return path;
+  };
+  internal::Curve_network network(level_copy.surface(), false);
+  for(std::size_t i : internal::tighten_paths<ConcurrencyTag>(paths.size(), path_on_copy, network))
+    give_up(i, Merging_verdict::POINT);
+
+  const std::vector<Index> asked = internal::curves_asked_for(network, parameters);
+  for(Index c = 0; c < network.number_of_curve_ids(); ++c)
+  {
+    if(network.is_empty(c))
+      continue;
+    const std::vector<std::size_t>& ends_here = network.curve(c).seeds;
+    if(!std::binary_search(asked.begin(), asked.end(), c))
+    {
+      for(std::size_t i : ends_here)
+        give_up(i, Merging_verdict::DISCARDED);
+      continue;
+    }
+    std::vector<std::pair<double, std::size_t> > equal; // lengths and numbers of paths
+    for(std::size_t i : ends_here)
+      equal.emplace_back(internal::length_of_path(pm, paths[i].curve.vertices), i);
+    std::sort(equal.begin(), equal.end());
+    const std::size_t n = equal.size();
+    const std::size_t k = level == 0 || parameters.tight ? 1 : (std::min)(n, parameters.kept);
+    for(std::size_t i = 0; i < k; ++i)
+    {
+      const std::size_t begin = i * n / k, end = (i + 1) * n / k;
+      Merged_seed merged = paths[equal[begin].second];
+      for(std::size_t j = begin + 1; j < end; ++j)
+      {
+        const std::vector<std::size_t>& others = paths[equal[j].second].seeds;
+        merged.seeds.insert(merged.seeds.end(), others.begin(), others.end());
+      }
+      if(parameters.tight)
+      {
+        const Progressive_mesh& surface = level_copy.surface();
+        Path path =
+            internal::path_beside_curve(surface, internal::trace(surface, internal::arcs_of_curve(network, c)));
+        for(Index& v : path)
+          v = level_copy.original(v);
+        if(path.size() > 2)
+          merged.curve.vertices.swap(path);
+      }
+      *out++ = std::move(merged);
+    }
+  }
+  for(std::size_t i = number_carried; i < order.size(); ++i)
+    *out++ = Merged_seed{seeds[order[i]], {order[i]}, Merging_verdict::KEPT};
+  return out;
 }
 
 } // namespace Surface_mesh_constrictions

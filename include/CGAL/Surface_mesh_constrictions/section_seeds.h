@@ -22,7 +22,8 @@ namespace Surface_mesh_constrictions {
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// writes the sections of the current surface by parallel planes, as closed paths of edges: the boundary loops of the
 /// faces that lie on one side of the plane with all their vertices. Each loop once; of loops of neighbouring planes that
-/// follow each other along a tube only those that are no longer than their neighbours.
+/// follow each other along a tube only those beside which the section is no longer than beside their neighbours, and those
+/// of each seventh plane.
 ///
 /// \param pm the surface; unchanged
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
@@ -56,7 +57,8 @@ OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator ou
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// writes sections of the current surface between pairs of its vertices, as closed paths of edges: level sets of the
 /// difference between the distances along edges to two vertices, of which the middle one runs half way between them.
-/// Each loop once; of loops that follow each other along a tube only those that are no longer than their neighbours.
+/// Each loop once; of loops that follow each other along a tube only those beside which the level set is no longer than
+/// beside their neighbours, and those of each seventh level.
 ///
 /// \param pm the surface; unchanged
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
@@ -65,7 +67,7 @@ OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator ou
 /// \return the output iterator, past the last element that was written
 /// \cost O(size of T^0) for the ids, plus O(n) for each section, n being the faces of the current surface, plus the output
 template <class OutputIterator>
-OutputIterator distance_section_seeds(const Progressive_mesh& pm, OutputIterator out, std::size_t vertices = 10,
+OutputIterator distance_section_seeds(const Progressive_mesh& pm, OutputIterator out, std::size_t vertices = 8,
                                       std::size_t sections = 24)
 {
   const internal::Edge_graph graph(pm);

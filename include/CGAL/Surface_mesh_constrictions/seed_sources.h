@@ -190,7 +190,7 @@ private:
 ///
 /// \cgalModels{ConstrictionSeedSource}
 ///
-/// \cost about 6,000 times linear in the given number of vertices
+/// \cost about 5,000 times linear in the given number of vertices
 class Section_source
 {
 public:

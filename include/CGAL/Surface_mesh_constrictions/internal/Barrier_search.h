@@ -48,23 +48,22 @@ public:
     m_lengths.push_back(length);
   }
 
-  // Starts at a curve that is no shorter than those that are known. Linear, up to a logarithm, in the edges that it
-  // crosses and the curves that cross those.
-  void start(const std::vector<Trace_point>& trace, double length)
+  // The known curves that a curve crosses, there and back. None of them is longer. Linear, up to a logarithm, in the edges
+  // that it crosses and the curves that cross those.
+  const std::vector<Index>& crossed_by(const std::vector<Trace_point>& trace)
+  {
+    m_sweep.put(trace);
+    return m_sweep.crossed_by_start();
+  }
+
+  // Searches from the curve that was asked about last. Linear, up to a logarithm, in the number of faces swept.
+  Barrier search(const std::vector<Trace_point>& trace, double length)
   {
     m_length = length;
     m_highest = {{length, length}};
     m_state = {{State::CLIMBING, State::CLIMBING}};
     m_lowest = {(std::numeric_limits<double>::infinity)(), null_index};
     m_sweep.start(trace, length);
-  }
-
-  // the known curves that the one that the search starts at crosses, there and back
-  const std::vector<Index>& crossed() const { return m_sweep.crossed_by_start(); }
-
-  // Searches. Once after each start; linear, up to a logarithm, in the number of faces swept.
-  Barrier search()
-  {
     for(;;)
     {
       std::size_t s = m_highest[1] < m_highest[0] ? 1 : 0;

@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 
 #include <cstddef>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -101,15 +100,19 @@ private:
   class Table
   {
   public:
-    explicit Table(std::size_t size) : m_has_curves(size, false) {}
+    explicit Table(std::size_t size) : m_place(size, 0), m_curves(1) {}
 
-    const std::vector<Index>& operator[](Index i) const { return m_has_curves[i] ? m_curves.at(i) : m_none; }
+    const std::vector<Index>& operator[](Index i) const { return m_curves[m_place[i]]; }
 
     // Returns whether the newest curve, which this is, was not there.
     bool insert(Index i, Index curve)
     {
-      m_has_curves[i] = true;
-      std::vector<Index>& curves = m_curves[i];
+      if(m_place[i] == 0)
+      {
+        m_place[i] = static_cast<Index>(m_curves.size());
+        m_curves.emplace_back();
+      }
+      std::vector<Index>& curves = m_curves[m_place[i]];
       if(!curves.empty() && curves.back() == curve)
         return false;
       curves.push_back(curve);
@@ -120,13 +123,12 @@ private:
     void toggle(Index i, Index curve)
     {
       if(!insert(i, curve))
-        m_curves[i].pop_back();
+        m_curves[m_place[i]].pop_back();
     }
 
   private:
-    std::vector<bool> m_has_curves;
-    std::unordered_map<Index, std::vector<Index> > m_curves;
-    std::vector<Index> m_none;
+    std::vector<Index> m_place; // of the curves of an element, 0 if it has none
+    std::vector<std::vector<Index> > m_curves;
   };
 
   const Progressive_mesh& m_pm;

@@ -23,8 +23,8 @@ class Cut_locus
 public:
   explicit Cut_locus(const Edge_graph& graph) : m_graph(graph), m_tree(graph), m_lengths(graph.edges().size()) {}
 
-  // Calls f(loop), a canonical closed path of vertex ids, for each loop that is not longer than those of the other
-  // edges of the two faces at its edge, and that does not bound a face. O(n log n), plus the loops.
+  // Calls f(loop), a canonical closed path of vertex ids, for each loop that is not longer than those of the next two
+  // edges along the cut locus, whichever way, and that does not bound a face. O(n log n), plus the loops.
   template <class F>
   void for_each_loop(Index root, F f)
   {
@@ -36,10 +36,7 @@ public:
     {
       if(m_lengths[e] == infinity)
         continue;
-      bool is_shortest = true;
-      for(Index other : edges[e].around)
-        is_shortest = is_shortest && m_lengths[e] <= m_lengths[other];
-      if(!is_shortest || is_face(edges[e]))
+      if(!is_shortest(e) || is_face(edges[e]))
         continue;
       m_loop.clear();
       for(Index v = edges[e].ends[0]; v != null_index; v = m_tree.parent(v))
@@ -62,6 +59,24 @@ private:
     if(u == v || u == null_index || v == null_index)
       return infinity;
     return m_tree.distance(e.ends[0]) + e.length + m_tree.distance(e.ends[1]);
+  }
+
+  // Whether the loop that an edge closes is not longer than those of the edges of its two faces, nor, as far as these are
+  // on the cut locus, than those of the edges of their faces: distances along edges vary from one to the next.
+  bool is_shortest(std::size_t e) const
+  {
+    const std::vector<Edge_graph::Edge>& edges = m_graph.edges();
+    for(Index next : edges[e].around)
+    {
+      if(m_lengths[next] < m_lengths[e])
+        return false;
+      if(m_lengths[next] == infinity)
+        continue;
+      for(Index second : edges[next].around)
+        if(m_lengths[second] < m_lengths[e])
+          return false;
+    }
+    return true;
   }
 
   // Whether the loop that the edge closes bounds one of the faces at the edge.

@@ -42,22 +42,26 @@ public:
   // Adds a curve, given by its trace, to those that later sweeps look for.
   void add_curve(const std::vector<Trace_point>& trace) { m_crossings.add(crossings_beside_pivots(m_pm, trace)); }
 
-  // Starts at a curve.
+  // Looks which curves a curve crosses, and puts the sweep there.
+  void put(const std::vector<Trace_point>& trace)
+  {
+    m_class.restart(m_crossings.number_of_curves());
+    m_crossed.clear();
+    m_other.resize(m_crossings.number_of_curves());
+    ++m_put;
+    classify_beside(crossings_beside_pivots(m_pm, trace));
+  }
+
+  // Starts at the curve where the sweep was put, once.
   void start(const std::vector<Trace_point>& trace, double length)
   {
     m_scale = Level_scale(length);
     m_front.restart();
-    m_class.restart(m_crossings.number_of_curves());
     m_without_class = 0;
     m_covered.clear();
-    m_crossed.clear();
     m_vertices.clear();
-    m_other.clear();
-    for(Index a = 0; a < m_crossings.number_of_curves(); ++a)
-      m_other.push_back({m_crossings.number_of_vertices(a), {{0, 0}}, false});
     for(Side& s : m_sides)
       s = Side();
-    classify_beside(crossings_beside_pivots(m_pm, trace));
     for(const Trace_point& p : trace)
       if(p.is_pivot())
         m_vertices.push_back(p.pivot);
@@ -117,11 +121,11 @@ public:
     }
   }
 
-  // whether a curve crosses the curve that the sweep started from, or touches it, or runs so close to it that there is
-  // no vertex between them
-  bool is_beside_start(Index curve) const { return m_other[curve].is_beside_start; }
+  // whether a curve crosses the curve where the sweep was put, or touches it, or runs so close to it that there is no
+  // vertex between them
+  bool is_beside_start(Index curve) const { return m_other[curve].put == m_put && m_other[curve].is_beside_start; }
 
-  // The curves that cross the curve that the sweep started from, and cross it back again. Those that run beside it, or
+  // The curves that cross the curve where the sweep was put, and cross it back again. Those that run beside it, or
   // touch it, are no such; nor, on a surface with handles, are those that part no neighbourhood of it.
   const std::vector<Index>& crossed_by_start() const { return m_crossed; }
 
@@ -176,7 +180,17 @@ private:
     std::size_t vertices_left;      // vertices beside it that are not settled
     std::array<double, 2> furthest; // of those that are, on each side
     bool is_beside_start;
+    std::size_t put = 0; // how often the sweep had been put somewhere when this was known
   };
+
+  // What is known of a curve since the sweep was put. Made when first asked for: most are far away.
+  Other& other(Index curve)
+  {
+    Other& result = m_other[curve];
+    if(result.put != m_put)
+      result = {m_crossings.number_of_vertices(curve), {{0, 0}}, false, m_put};
+    return result;
+  }
 
   // The length of those pieces of a level set that lie on the other side of a curve.
   double length_beyond(const Side& side, Index curve) const
@@ -245,7 +259,7 @@ private:
       for(Index k : c)
         beside |= m_class.classes().curves(k);
     }
-    for_each_curve(beside, [&](Index a) { m_other[a].is_beside_start = true; });
+    for_each_curve(beside, [&](Index a) { other(a).is_beside_start = true; });
     for_each_curve(m_class.classes().curves_between(classes[0]) & m_class.classes().curves_between(classes[1]),
                    [&](Index a) {
                      if(m_class.is_consistent(a))
@@ -277,11 +291,11 @@ private:
   {
     for(Index a : m_crossings.curves_at_vertex(v))
     {
-      Other& other = m_other[a];
+      Other& swept = other(a);
       for(std::size_t side = 0; side < 2; ++side)
         if(s == side || s == Distance_front::both_sides)
-          other.furthest[side] = (std::max)(other.furthest[side], m_front.distance(v));
-      if(--other.vertices_left == 0)
+          swept.furthest[side] = (std::max)(swept.furthest[side], m_front.distance(v));
+      if(--swept.vertices_left == 0)
         m_covered.insert(std::lower_bound(m_covered.begin(), m_covered.end(), a), a);
     }
     if(s == Distance_front::both_sides)
@@ -371,6 +385,7 @@ private:
   Distance_front m_front;
   Vertex_classes m_class; // of a vertex
   std::vector<Other> m_other;
+  std::size_t m_put = 0;
   std::vector<Index> m_covered; // in ascending order
   std::vector<Index> m_crossed;
   std::vector<Index> m_vertices; // that are settled

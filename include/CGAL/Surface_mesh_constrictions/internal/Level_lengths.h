@@ -24,8 +24,8 @@ public:
 
   double level(std::size_t k) const
   {
-    const double t = static_cast<double>(k) / per_unit;
-    return t <= 1 ? m_unit * t : m_unit * std::exp(t - 1);
+    static const std::vector<double> first = factors();
+    return m_unit * (k < first.size() ? first[k] : factor(k));
   }
 
   // the first level above a distance
@@ -42,6 +42,21 @@ public:
 
 private:
   static constexpr double per_unit = 256;
+
+  static double factor(std::size_t k)
+  {
+    const double t = static_cast<double>(k) / per_unit;
+    return t <= 1 ? t : std::exp(t - 1);
+  }
+
+  // Those of nearly all levels of any sweep.
+  static std::vector<double> factors()
+  {
+    std::vector<double> result(2048);
+    for(std::size_t k = 0; k < result.size(); ++k)
+      result[k] = factor(k);
+    return result;
+  }
 
   double m_unit;
 };

@@ -25,9 +25,10 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Level sets of functions on the vertices of the current surface, as closed paths of edges: the boundary loops of the
-// faces none of whose vertices is above the level. Where a loop and one of the next level bound a tube between them, the
-// longer one is not given, unless they are about equally long: what is given is the shortest around. No loop is given
-// twice, whatever the functions.
+// faces none of whose vertices is above the level. Where a loop and one of the next level bound a tube between them, only
+// that is given beside which the level set is shorter: what is given is the shortest around. Where a constriction lies
+// aslant in a tube that only gets wider, none of the sections may be the shortest: so each seventh level is given as a
+// whole. No loop is given twice, whatever the functions.
 class Sections
 {
 public:
@@ -38,7 +39,10 @@ public:
   {
     std::vector<Index> vertex(pm.number_of_vertex_ids(), null_index), face(pm.number_of_face_ids(), null_index), faces;
     for(Index v = 0; v < graph.number_of_vertices(); ++v)
+    {
       vertex[graph.id(v)] = v;
+      m_position.push_back(position(pm, graph.id(v)));
+    }
     for(Index f = 0; f < pm.number_of_face_ids(); ++f)
       if(pm.is_face(f))
       {
@@ -51,7 +55,6 @@ public:
         const Index opposite = pm.opposite(h);
         m_source.push_back(vertex[pm.source(h)]);
         m_opposite.push_back(3 * face[pm.face(opposite)] + opposite % 3);
-        m_length.push_back(norm(vector(pm.point(pm.source(h)), pm.point(pm.target(h)))));
       }
     m_slab.resize(faces.size());
     m_is_walked.resize(m_source.size(), 0);
@@ -73,13 +76,13 @@ public:
       ++m_stamp;
       for(Index h : m_boundary[i])
         if(m_is_walked[h] != m_stamp)
-          walk(h, i);
+          walk(h, i, values);
       drop_longer(i, below, first);
       below = first;
     }
     for(const Loop& loop : m_loops)
     {
-      if(!loop.is_shortest || loop.halfedges.size() < 3)
+      if(!(loop.is_shortest || loop.is_sample) || loop.halfedges.size() < 3)
         continue;
       std::vector<Index> path;
       for(Index h : loop.halfedges)
@@ -93,13 +96,14 @@ public:
 
 private:
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
-  static constexpr double equal_length_tolerance = 0.005; // of loops of edges, which zigzag
+  static constexpr Index sample_distance = 7; // in levels
 
   struct Loop
   {
     std::vector<Index> halfedges; // with a face below the level on the left
-    double length;
+    double length; // of the level set beside it: a loop of edges zigzags
     bool is_shortest;
+    bool is_sample;
   };
 
   // Distributes the faces to the slabs, each up to a level and not further, the last one above all levels, and the
@@ -117,9 +121,9 @@ private:
       return false;
 
     const double step = (greatest - least) / static_cast<double>(levels);
-    const auto level = [&](Index i) {
-      return least + (greatest - least) * ((static_cast<double>(i) + 0.5) / static_cast<double>(levels));
-    };
+    m_value.resize(levels);
+    for(std::size_t i = 0; i < levels; ++i)
+      m_value[i] = least + (greatest - least) * ((static_cast<double>(i) + 0.5) / static_cast<double>(levels));
     m_faces_of_slab.resize(levels + 1);
     m_boundary.resize(levels);
     for(std::vector<Index>& faces : m_faces_of_slab)
@@ -133,7 +137,7 @@ private:
       {
         const double position = (values[v] - least) / step - 0.5;
         i = position <= 0 ? 0 : (std::min)(static_cast<Index>(position), i);
-        while(i < levels && level(i) < values[v])
+        while(i < levels && m_value[i] < values[v])
           ++i;
       }
       m_slab_of_vertex[v] = i;
@@ -151,23 +155,39 @@ private:
   }
 
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  Index target(Index h) const { return m_source[next(h)]; }
   Index face_across(Index h) const { return m_opposite[h] / 3; }
 
   // Follows the boundary of the faces below a level, which lie on its left, once around, along the boundary of one
-  // and the same fan of faces at each vertex.
-  void walk(Index begin, Index level)
+  // and the same fan of faces at each vertex, and the level set on its right.
+  void walk(Index begin, Index level, const std::vector<double>& values)
   {
-    m_loops.push_back({{}, 0, true});
+    m_loops.push_back({{}, 0, true, level % sample_distance == sample_distance / 2});
     Loop& loop = m_loops.back();
+    m_level_set.clear();
     Index h = begin;
     do {
       m_is_walked[h] = m_stamp;
       loop.halfedges.push_back(h);
-      loop.length += m_length[h];
+      // the edges on the right at the end of h, counterclockwise; the first one leads above the level
+      for(Index up = m_opposite[previous(m_opposite[h])]; m_slab[up / 3] > level; up = m_opposite[previous(up)])
+        if(m_slab_of_vertex[target(up)] > level)
+          m_level_set.push_back(point_of_level(up, m_value[level], values));
       h = next(h);
       while(m_slab[face_across(h)] <= level)
         h = next(m_opposite[h]);
     } while(h != begin);
+    for(std::size_t i = 0; i < m_level_set.size(); ++i)
+      loop.length += norm(m_level_set[(i + 1) % m_level_set.size()] - m_level_set[i]);
+  }
+
+  // Where a function has a value on an edge that leads from no more to more.
+  Vector3 point_of_level(Index h, double value, const std::vector<double>& values) const
+  {
+    const Index u = m_source[h], v = target(h);
+    const double t = std::isfinite(values[v]) ? (value - values[u]) / (values[v] - values[u]) : 0;
+    return m_position[u] + t * (m_position[v] - m_position[u]);
   }
 
   // Where a loop of a level and one of the level before bound a part of the slab between them, and no third one does, drops
@@ -212,20 +232,22 @@ private:
       if(end - it != 2 || it->second >= first || it[1].second < first)
         continue;
       Loop &a = m_loops[it->second], &b = m_loops[it[1].second];
-      a.is_shortest = a.is_shortest && a.length <= (1 + equal_length_tolerance) * b.length;
-      b.is_shortest = b.is_shortest && b.length <= (1 + equal_length_tolerance) * a.length;
+      a.is_shortest = a.is_shortest && a.length <= b.length;
+      b.is_shortest = b.is_shortest && b.length <= a.length;
     }
   }
 
   std::size_t m_level;
   const Edge_graph& m_graph;
   std::vector<Index> m_source, m_opposite; // of halfedges, three for each face
-  std::vector<double> m_length;            // of halfedges
+  std::vector<Vector3> m_position;         // of vertices
+  std::vector<double> m_value;             // of levels
   std::vector<Index> m_slab_of_vertex;     // that in which it is or whose upper level it is on
   std::vector<Index> m_slab;               // of faces
   std::vector<std::vector<Index> > m_faces_of_slab;
   std::vector<std::vector<Index> > m_boundary; // of a level: halfedges of faces not above it, next to faces that are
   std::vector<Loop> m_loops;             // from the lowest level to the highest
+  std::vector<Vector3> m_level_set;
   std::vector<std::size_t> m_is_walked;  // of halfedges: the stamp of the last walk along them
   std::size_t m_stamp = 0;               // of a level
   std::vector<Index> m_parent;           // the parts of a slab as disjoint sets of faces and loops

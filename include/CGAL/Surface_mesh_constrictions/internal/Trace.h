@@ -58,11 +58,6 @@ inline std::vector<Trace_point> trace(const Progressive_mesh& pm, const std::vec
   return result;
 }
 
-inline Vector3 position(const Progressive_mesh& pm, Index v)
-{
-  return vector(Progressive_mesh::Point(0, 0, 0), pm.point(v));
-}
-
 inline Vector3 position(const Progressive_mesh& pm, const Trace_point& p)
 {
   if(p.is_pivot())

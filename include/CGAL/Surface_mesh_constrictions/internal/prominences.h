@@ -86,16 +86,15 @@ inline void add_prominences(const Progressive_mesh& pm, const std::vector<std::v
   {
     if(!asked[i])
       continue;
-    search.start(traces[i], lengths[i]);
     std::vector<Index> crosses;
-    for(Index a : search.crossed())
+    for(Index a : search.crossed_by(traces[i]))
       crosses.push_back(known[a]);
     if(filter && !filter->passes(i, crosses))
     {
       result[i] = {no_prominence, null_index, {}};
       continue;
     }
-    const Barrier b = search.search();
+    const Barrier b = search.search(traces[i], lengths[i]);
     result[i] = {b.length / lengths[i] - 1, b.dominating == null_index ? null_index : known[b.dominating],
                  std::move(crosses)};
     if(result[i].value < negligible_prominence)
@@ -119,16 +118,19 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm,
 // A curve is looked for on a coarse level by a closed geodesic of it that is no more than this longer or shorter.
 constexpr double coarse_length_tolerance = 0.1;
 
-// Measures what lies between closed geodesics on a coarse level, of those that are there: where tightening leads to a
-// simple closed geodesic of about the same length. Curves that are the same there have no barrier between them: the
-// shortest dominates the others. Returns for each curve whether it is not there; then nothing is written for it. Curves
-// are given by their lengths and by the vertices of T^0 that they pass.
-inline std::vector<bool> add_coarse_prominences(const Level_copy& coarse, const std::vector<double>& lengths,
-                                                const std::vector<std::vector<Index> >& passed, bool with_crossing,
-                                                std::vector<Prominence>& result)
+// Prominences of closed geodesics of T^0 among each other, in their order. What lies between them is measured on a coarse
+// level, of those that are there: where tightening leads to a simple closed geodesic of about the same length. Curves that
+// are the same there have no barrier between them: the shortest dominates the others. Those that are not there are measured
+// on T^0, among each other.
+inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Level_copy& coarse,
+                                           const std::vector<std::vector<Trace_point> >& traces)
 {
-  const Progressive_mesh& surface = coarse.surface();
+  std::vector<Prominence> result(traces.size());
+  std::vector<double> lengths;
+  for(const std::vector<Trace_point>& t : traces)
+    lengths.push_back(length(pm, t));
 
+  const Progressive_mesh& surface = coarse.surface();
   Curve_network network(surface, false);
   const Corner_angles angles(surface);
   Tightener tightener(network, Length_unit(surface), &angles);
@@ -136,10 +138,10 @@ inline std::vector<bool> add_coarse_prominences(const Level_copy& coarse, const 
   std::vector<std::vector<Trace_point> > on_coarse;
   std::vector<Index> curves; // those that are there
   std::unordered_map<Index, Index> first_in_network; // of those, by what they are there
-  std::vector<bool> is_missing(lengths.size(), false);
+  std::vector<bool> is_missing(traces.size(), false);
   for(Index i : by_length(lengths))
   {
-    const std::vector<Index> path = coarse.path(passed[i]);
+    const std::vector<Index> path = coarse.path(vertices_passed(pm, traces[i]));
     const Index end = path.size() < 3 ? null_index : basins.tighten(network.add_curve(i, path));
     const auto known = end == null_index ? first_in_network.end() : first_in_network.find(end);
     if(known != first_in_network.end())
@@ -154,14 +156,14 @@ inline std::vector<bool> add_coarse_prominences(const Level_copy& coarse, const 
       {
         first_in_network.emplace(end, i);
         curves.push_back(i);
-        on_coarse.push_back(internal::trace(surface, arcs));
+        on_coarse.push_back(trace(surface, arcs));
         continue;
       }
     }
     is_missing[i] = true;
   }
 
-  std::vector<Prominence> of_coarse = prominences(surface, on_coarse, with_crossing);
+  std::vector<Prominence> of_coarse = prominences(surface, on_coarse);
   for(std::size_t i = 0; i < curves.size(); ++i)
   {
     Prominence& p = result[curves[i]] = std::move(of_coarse[i]);
@@ -170,23 +172,6 @@ inline std::vector<bool> add_coarse_prominences(const Level_copy& coarse, const 
     for(Index& a : p.crosses)
       a = curves[a];
   }
-  return is_missing;
-}
-
-// Prominences of closed geodesics of T^0 among each other, in their order: on a coarse level of those that are there, on
-// T^0 of the others.
-inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Level_copy& coarse,
-                                           const std::vector<std::vector<Trace_point> >& traces)
-{
-  std::vector<Prominence> result(traces.size());
-  std::vector<double> lengths;
-  std::vector<std::vector<Index> > passed;
-  for(const std::vector<Trace_point>& t : traces)
-  {
-    lengths.push_back(length(pm, t));
-    passed.push_back(vertices_passed(pm, t));
-  }
-  const std::vector<bool> is_missing = add_coarse_prominences(coarse, lengths, passed, true, result);
   if(std::find(is_missing.begin(), is_missing.end(), true) != is_missing.end())
     add_prominences(pm, traces, is_missing, true, result);
   return result;

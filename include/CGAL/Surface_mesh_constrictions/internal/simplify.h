@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Lean_edge_profile.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify_in_blocks.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface_mesh_from_corner_table.h>
 
@@ -104,6 +105,7 @@ Collapse_record simplify(const ImportedMesh& imported, const Policies& make_poli
   Surface_mesh_simplification::edge_collapse(copy, Optional_stop_predicate{first_only},
                                              CGAL::parameters::get_cost(policies.get_cost())
                                                  .get_placement(policies.get_placement())
+                                                 .vertex_point_map(Lean_point_map(get(CGAL::vertex_point, copy)))
                                                  .visitor(recorder));
   return record;
 }

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Face_blocks.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Lean_edge_profile.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Policies_inside_block.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface_mesh_from_corner_table.h>
 
@@ -153,6 +154,7 @@ Simplified_block simplify_block(const Face_block& block, const Policies& make_po
       mesh, stop,
       CGAL::parameters::get_cost(Cost_inside_block<Cost>(policies.get_cost(), block.number_of_vertices_inside))
           .get_placement(Placement_inside_block<Placement>(policies.get_placement(), block.number_of_vertices_inside))
+          .vertex_point_map(Lean_point_map(get(CGAL::vertex_point, mesh)))
           .visitor(recorder));
 
   for(auto f : faces(mesh))

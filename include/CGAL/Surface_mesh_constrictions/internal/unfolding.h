@@ -50,6 +50,11 @@ inline Vector3 cross(const Vector3& a, const Vector3& b)
 }
 inline double norm(const Vector3& a) { return std::sqrt(dot(a, a)); }
 
+inline Vector3 position(const Progressive_mesh& pm, Index v)
+{
+  return vector(Progressive_mesh::Point(0, 0, 0), pm.point(v));
+}
+
 // Angle at source(h) in the face of h, in [0, pi].
 inline double corner_angle(const Progressive_mesh& pm, Index h)
 {
