@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Certificates, FoundCurves,
 
 TEST(Certificates, ExactArithmeticCorrectsMachineParts)
 {
-  for(const char* name : {"couplingdown", "spool", "pinion"})
+  for(const char* name : {"couplingdown", "spool", "anchor"})
   {
     const Mesh mesh = read<Mesh>(name);
     std::vector<Constriction<Mesh> > uncertified;

@@ -188,31 +188,47 @@ TEST(SectionSeeds, PlanesAndDistancesCutATubeAround)
 }
 
 // Four necks at the heights 2, 4, 6 and 8, and the bulges between them: of the sections across the axis those are given
-// that lie where the radius hardly changes, at each neck one at least, and none on the flanks.
-TEST(SectionSeeds, AlongATubeOnlyTheShortestAroundIsGiven)
+// that lie where the radius hardly changes, at each neck one at least, and each seventh level; none else on the flanks.
+TEST(SectionSeeds, AlongATubeTheShortestAroundAndEachSeventhLevelAreGiven)
 {
   const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::chain_of_necks(0, 1));
   const SMC::internal::Edge_graph graph(pm);
   std::vector<double> heights;
   for(Index v = 0; v < graph.number_of_vertices(); ++v)
     heights.push_back(pm.point(graph.id(v)).z());
+  const double low = *std::min_element(heights.begin(), heights.end());
+  const double high = *std::max_element(heights.begin(), heights.end());
+  const int levels = 52;
+  // the loops lie below their levels, by no more than the distance of two rings of vertices
+  std::vector<double> sampled;
+  for(int i = 3; i < levels; i += 7)
+    sampled.push_back(low + (high - low) * (i + 0.5) / levels);
   SMC::internal::Sections sections(pm, graph);
   std::vector<Seed_curve> seeds;
-  sections.cut(heights, 52, std::back_inserter(seeds));
-  EXPECT_LE(seeds.size(), 20u);
+  sections.cut(heights, levels, std::back_inserter(seeds));
+  EXPECT_LE(seeds.size(), 4u + 3u + sampled.size());
   std::set<int> necks;
+  std::set<std::size_t> samples;
   for(const Seed_curve& s : seeds)
   {
     expect_closed_path(pm, s);
     double z = 0;
     for(Index v : s.vertices)
       z += pm.point(v).z() / static_cast<double>(s.vertices.size());
-    const double neck = std::min(std::max(2 * std::round(z / 2), 2.), 8.), distance = std::abs(z - neck);
-    if(distance < 0.2)
+    const double neck = std::min(std::max(2 * std::round(z / 2), 2.), 8.);
+    if(std::abs(z - neck) < 0.2)
       necks.insert(static_cast<int>(neck));
-    EXPECT_FALSE(0.25 < distance && distance < 0.75) << z;
+    bool is_sample = false;
+    for(std::size_t i = 0; i < sampled.size(); ++i)
+      if(sampled[i] - 0.4 < z && z <= sampled[i] + 1e-9)
+      {
+        is_sample = true;
+        samples.insert(i);
+      }
+    EXPECT_TRUE(is_sample || !(0.25 < std::abs(z - neck) && std::abs(z - neck) < 0.75)) << z;
   }
   EXPECT_EQ(necks.size(), 4u);
+  EXPECT_EQ(samples.size(), sampled.size());
 }
 
 // Of two components each is cut, and no path joins them.

@@ -62,7 +62,8 @@ private:
   }
 
   // Whether the loop that an edge closes is not longer than those of the edges of its two faces, nor, as far as these are
-  // on the cut locus, than those of the edges of their faces: distances along edges vary from one to the next.
+  // on the cut locus, than those of the edges of their faces: distances along edges vary from one to the next. Loops that
+  // bound a face count among the nearer ones only, or else none around a tube of a few edges would be left.
   bool is_shortest(std::size_t e) const
   {
     const std::vector<Edge_graph::Edge>& edges = m_graph.edges();
@@ -73,7 +74,7 @@ private:
       if(m_lengths[next] == infinity)
         continue;
       for(Index second : edges[next].around)
-        if(m_lengths[second] < m_lengths[e])
+        if(m_lengths[second] < m_lengths[e] && !is_face(edges[second]))
           return false;
     }
     return true;
