@@ -383,8 +383,8 @@ TEST_F(StripAroundPrism, AStepThatGainsLessThanAUnitIsNotTaken)
 }
 
 // A loop that winds around a tip, vertex 3, and crosses itself. The strip beside its pivot is so wide that it unfolds
-// over its own centre: the loop through the corner furthest from the centre is longer than the one that is to be
-// shortened, but others are shorter.
+// over its own centre: the loop through the corner furthest from the centre is no shorter than the one that is to be
+// shortened, but others are.
 TEST(Tightening, OfAStripThatUnfoldsOverItsCentreTheBestCornerIsTaken)
 {
   const SMC::Progressive_mesh pm = test_meshes::make_progressive(
