@@ -188,10 +188,14 @@ TEST_F(Program, policies)
   {
     const Result r = run(std::string("detect dumbbell.off --all --no-certify --json - --policy ") + policy);
     ASSERT_EQ(r.exit_code, 0) << policy;
-    for(const json& c : json::parse(r.out).at("constrictions"))
+    const json found = json::parse(r.out).at("constrictions");
+    EXPECT_FALSE(found.empty()) << policy;
+    for(const json& c : found)
       EXPECT_NEAR(c.at("length").get<double>(), 4, 1e-12) << policy;
     const Result certified = run(std::string("detect dumbbell.off --all --json - --policy ") + policy);
-    for(const json& c : json::parse(certified.out).at("constrictions"))
+    const json found_certified = json::parse(certified.out).at("constrictions");
+    EXPECT_FALSE(found_certified.empty()) << policy;
+    for(const json& c : found_certified)
       EXPECT_EQ(c.at("certificate"), "constriction") << policy;
   }
 }
