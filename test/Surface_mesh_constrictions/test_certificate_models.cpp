@@ -411,6 +411,22 @@ TEST(CertificateModels, LoopThroughOneVertexOfAPrismIsInABandOrSlipsToTheNarrowe
     }
 }
 
+// The side angles at the one vertex are pi by a product of more than a hundred corners, of faces with many different
+// square roots. Equal angles of opposite orientation, half a turn apart, cancel; few are left.
+TEST(CertificateModels, LoopWhoseTurnsCancelIsProvedStraightWhateverTheNumberOfSides)
+{
+  for(int m : {4, 14, 16})
+    for(bool is_clockwise : {false, true})
+    {
+      const Soup soup = exact_models::tube_that_turns_to_and_fro(m);
+      const Mesh mesh = test_meshes::make_mesh(soup);
+      const Certificate c =
+          certify_constriction(mesh, loop_at_height_of(mesh, exact_models::vertex_at_height(soup, 650), is_clockwise));
+      EXPECT_EQ(c.verdict, Certificate_verdict::CONSTRICTION) << m << ": " << c;
+      EXPECT_EQ(c.signs.unproved, 0u) << m;
+    }
+}
+
 TEST(CertificateModels, BorderAndPolygonsAreReported)
 {
   Mesh mesh = test_meshes::make_mesh(exact_models::waist(1));

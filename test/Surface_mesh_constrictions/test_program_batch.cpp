@@ -111,6 +111,9 @@ protected:
       for(const std::string& argument : arguments)
         argv.push_back(const_cast<char*>(argument.c_str()));
       argv.push_back(nullptr);
+      // these tests may run where SIGINT is ignored, in the background of a shell, and the program would keep to that
+      for(int signal : {SIGINT, SIGTERM})
+        std::signal(signal, SIG_DFL);
       if(chdir(folder.c_str()) == 0)
         execv(CONSTRICTIONS_PROGRAM, argv.data());
       _exit(127);

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -286,7 +287,7 @@ struct StripAroundPrism : public ::testing::Test
     soup = exact_models::prism_with_one_vertex(n, factor);
     pm.reset(new SMC::Progressive_mesh(test_meshes::make_progressive(soup)));
     vertex = static_cast<Index>(exact_models::vertex_at_height(soup, 650));
-    SMC::internal::Arc arc; // with the upper end on its left
+    arc = SMC::internal::Arc();
     arc.from = arc.to = vertex;
     const auto height = [this](Index v) { return pm->point(v).z(); };
     for(Index h : exact_models::crossings_at_height_of(*pm, vertex, height, false))
@@ -299,6 +300,7 @@ struct StripAroundPrism : public ::testing::Test
   test_meshes::Soup soup;
   std::unique_ptr<SMC::Progressive_mesh> pm;
   Index vertex = 0;
+  SMC::internal::Arc arc; // with the upper end on its left
   SMC::internal::Strip strip;
 };
 
@@ -345,6 +347,71 @@ TEST_F(StripAroundPrism, WhatIsCrossedForthAndBackAtItsEndsIsRemoved)
   const SMC::internal::Closed_strip closed(*pm, strip), same(*pm, longer);
   EXPECT_EQ(same.corners().size(), closed.corners().size());
   EXPECT_EQ(same.rotated(same.corners().front()), closed.rotated(closed.corners().front()));
+}
+
+// Up to the narrower end the loop gets shorter by 4 of 6000.
+TEST_F(StripAroundPrism, AStepThatGainsLessThanAUnitIsNotTaken)
+{
+  make(0.999);
+  const auto end = exact_models::ring(exact_models::polygon(n), 0.999, 900);
+  double length_of_end = 0;
+  for(std::size_t i = 0; i < end.size(); ++i)
+    length_of_end += std::hypot(end[(i + 1) % n][0] - end[i][0], end[(i + 1) % n][1] - end[i][1]);
+  const auto tighten = [this](const SMC::Progressive_mesh& unit_of) {
+    SMC::internal::Curve_network network(*pm, false);
+    const Index c = network.add_curve(0);
+    std::vector<SMC::internal::Arc> arcs = {arc};
+    network.set_arcs(c, arcs);
+    SMC::internal::Tightener tightener(network, SMC::internal::Length_unit(unit_of));
+    tightener.enqueue_all(c);
+    tightener.run();
+    return SMC::internal::arcs_of_curve(network, c);
+  };
+  double length = 0;
+  for(const SMC::internal::Arc& a : tighten(*pm))
+    length += a.length;
+  EXPECT_NEAR(length, length_of_end, 1e-9);
+
+  // a box whose diagonal, 13 edges of its cells, is 10^4 * 2^53: the unit is 10^4
+  const double edge = std::ldexp(1e4 / 13, 53);
+  const std::vector<SMC::internal::Arc> left =
+      tighten(test_meshes::make_progressive(test_meshes::box(3, 4, 12, {{edge, edge, edge}})));
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0].from, vertex);
+  EXPECT_EQ(left[0].length, arc.length);
+  EXPECT_GT(arc.length, length_of_end + 3);
+}
+
+// A loop that winds around a tip, vertex 3, and crosses itself. The strip beside its pivot is so wide that it unfolds
+// over its own centre: the loop through the corner furthest from the centre is no shorter than the one that is to be
+// shortened, but others are.
+TEST(Tightening, OfAStripThatUnfoldsOverItsCentreTheBestCornerIsTaken)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(
+      {{{{0, -14, -49}}, {{-36, -19, -37}}, {{-25, -37, -8}}, {{-50, 0, 0}}, {{38, -28, -49}}},
+       {{{1, 3, 0}}, {{2, 3, 1}}, {{1, 0, 4}}, {{0, 3, 4}}, {{3, 2, 4}}, {{2, 1, 4}}}});
+  SMC::internal::Arc loop;
+  loop.from = loop.to = 0;
+  const std::vector<std::array<Index, 2> > crossed = {{{1, 3}}, {{2, 3}}, {{4, 3}}, {{0, 3}},
+                                                      {{1, 3}}, {{1, 2}}, {{1, 4}}};
+  for(const std::array<Index, 2>& edge : crossed)
+    for(Index h = 0; h < 18; ++h)
+      if(pm.source(h) == edge[0] && pm.target(h) == edge[1])
+        loop.crossings.push_back(h);
+  ASSERT_EQ(loop.crossings.size(), crossed.size());
+  SMC::internal::measure(pm, loop);
+  const auto angles = SMC::internal::side_angles(pm, loop, loop);
+  EXPECT_LT(std::min(angles.left, angles.right), 0.5);
+  EXPECT_GT(std::max(angles.left, angles.right), CGAL_PI);
+
+  SMC::internal::Curve_network network(pm, false);
+  const Index c = network.add_curve(0);
+  std::vector<SMC::internal::Arc> arcs = {loop};
+  network.set_arcs(c, arcs);
+  SMC::internal::Tightener tightener(network, SMC::internal::Length_unit(pm));
+  tightener.enqueue_all(c);
+  tightener.run();
+  EXPECT_TRUE(network.is_empty(c));
 }
 
 TEST(ClosedStrip, AroundOneVertexItIsDegenerate)

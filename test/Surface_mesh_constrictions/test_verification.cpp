@@ -4,6 +4,8 @@
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Arc_verifier.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_nodes.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/verify_with_shortest_paths.h>
 
@@ -14,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -321,6 +324,59 @@ TEST(Verification, RefusesACurveThatTurnsBack)
   EXPECT_EQ(SMC::verify_with_shortest_paths(
                 mesh, curve({vertex(a), crossing(h, 0.5), vertex(b), crossing(mesh.opposite(h), 0.5)})).refusal,
             Refusal::SHORTER_PATH);
+}
+
+// On a flat square, from one corner to the opposite one and back, over its diagonal both times: at each corner the curve
+// leaves through the edge through which it came, before or after the place where it came.
+TEST(Verification, RefusesACurveThatTurnsBackBesideWhereItCame)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::box(2, 2, 2));
+  Mesh::Halfedge_index h = *mesh.halfedges_begin();
+  while(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))) != 2)
+    ++h;
+  const Mesh::Vertex_index a = mesh.target(mesh.next(h)), b = mesh.target(mesh.next(mesh.opposite(h)));
+  // from a corner to the middle of the diagonal, to a quarter of it, and from the one to the other
+  const double middle = std::sqrt(0.5), quarter = std::sqrt(0.625), between = std::sqrt(0.125);
+  for(double parameter : {0.25, 0.75})
+  {
+    const SMC::Shortest_path_verification v = SMC::verify_with_shortest_paths(
+        mesh, curve({vertex(a), crossing(h, 0.5), vertex(b), crossing(mesh.opposite(h), parameter)}));
+    EXPECT_EQ(v.refusal, Refusal::SHORTER_PATH) << parameter;
+    EXPECT_EQ(v.refused_location, 0u) << parameter;
+    EXPECT_NEAR(v.greatest_excess, 1 - between / (middle + quarter), 1e-12) << parameter;
+  }
+}
+
+typedef SMC::internal::Curve_nodes<Mesh> Nodes;
+typedef SMC::internal::Arc_verifier<test_meshes::Kernel, Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point> >
+    Arc_verifier;
+
+// Two faces whose common edge ends at a reflex corner, through which the shortest path goes. The arc goes beside that
+// corner, longer by less than the tolerance: both meet three things, but not the same ones.
+TEST(Verification, APathThroughACornerBesideTheArcIsInOtherFaces)
+{
+  const Soup soup = {{{{-1, -0.1, 0}}, {{0, 0, 0}}, {{1, -0.1, 0}}, {{0, 1, 0}}}, {{{0, 1, 3}}, {{1, 2, 3}}}};
+  const Mesh mesh = test_meshes::make_mesh(soup);
+  const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Vertex_index(1), Mesh::Vertex_index(3));
+  const Nodes nodes(mesh, {vertex(0), crossing(h, 6e-9), vertex(2)}, 1e-9);
+  ASSERT_EQ(nodes.size(), 3u);
+  const SMC::internal::Arc_verdict verdict = Arc_verifier(mesh, mesh.points(), nodes).verify_in_strip(0, 2);
+  EXPECT_EQ(verdict.refusal, Refusal::OTHER_FACES);
+  EXPECT_NEAR(verdict.excess, 6e-10, 1e-10);
+}
+
+// The star of vertex 0, 2e-5 above the line between its neighbours 1 and 3; the neighbour 2, half as far above it, is
+// in the way of the straight line, so the shortest path runs along the border of the star and not past its centre.
+TEST(Verification, APathAlongTheBorderOfAStarIsInOtherFaces)
+{
+  const double height = 2e-5;
+  const Mesh mesh = test_meshes::make_mesh(
+      {{{{0, height, 0}}, {{-1, 0, 0}}, {{0, height / 2, 0}}, {{1, 0, 0}}, {{0, 1, 0}}},
+       {{{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 4}}, {{0, 4, 1}}}});
+  const Nodes nodes(mesh, {vertex(1), vertex(0), vertex(3)}, 1e-9);
+  const SMC::internal::Arc_verdict verdict = Arc_verifier(mesh, mesh.points(), nodes).verify_in_star(1);
+  EXPECT_EQ(verdict.refusal, Refusal::OTHER_FACES);
+  EXPECT_NEAR(verdict.excess, 3. / 8 * height * height, 1e-12);
 }
 
 TEST(Verification, TellsWhatIsNotAClosedPath)

@@ -104,14 +104,16 @@ inline Soup twisted_cylinder()
   return b.soup;
 }
 
-// A prism between two wider ones, its upper end `factor` times as wide as its lower one. Of its sides' vertices one
-// lies between the ends: on the first edge, below the middle, so that above it is not the mirror image of below.
-inline Soup prism_with_one_vertex(int n, double factor)
+// A tube between two rings with wider ones around them. The edge between the first points of the rings has a vertex, at
+// 3/8 of its length: below the middle, so that above it is not the mirror image of below. Of the second half of the
+// quadrilaterals the other diagonals are taken if `is_twisted`.
+inline Soup tube_with_one_vertex(const std::vector<Position>& low, const std::vector<Position>& high,
+                                 const std::vector<Position>& bottom, const std::vector<Position>& top,
+                                 bool is_twisted = false)
 {
-  const auto p = polygon(n);
-  const auto low = ring(p, 1, 500), high = ring(p, factor, 900),
-             bottom = ring(p, 3, 500), top = ring(p, 3, 900);
-  const Position v = {{(5 * low[0][0] + 3 * high[0][0]) / 8, (5 * low[0][1] + 3 * high[0][1]) / 8, 650}};
+  Position v;
+  for(std::size_t k = 0; k < 3; ++k)
+    v[k] = (5 * low[0][k] + 3 * high[0][k]) / 8;
   Soup_builder b;
   for(std::size_t i = 0; i < low.size(); ++i)
   {
@@ -131,7 +133,7 @@ inline Soup prism_with_one_vertex(int n, double factor)
       b.triangle(high[i], v, high[j]);
     }
     else
-      b.quad(low[i], low[j], high[j], high[i]);
+      b.quad(low[i], low[j], high[j], high[i], is_twisted && 2 * i >= low.size());
   }
   for(std::size_t i = 1; i + 1 < low.size(); ++i)
   {
@@ -139,6 +141,33 @@ inline Soup prism_with_one_vertex(int n, double factor)
     b.triangle(top[0], top[i], top[i + 1]);
   }
   return b.soup;
+}
+
+// A prism between two wider ones, its upper end `factor` times as wide as its lower one, with a vertex at height 650.
+inline Soup prism_with_one_vertex(int n, double factor)
+{
+  const auto p = polygon(n);
+  return tube_with_one_vertex(ring(p, 1, 500), ring(p, factor, 900), ring(p, 3, 500), ring(p, 3, 900));
+}
+
+// A tube of 2 m sides, one half of which gets narrower upwards and the other one wider: point i of a ring is minus
+// point m + i of the other one, in all but the height. By what the strip around it turns in the one half it turns back
+// in the other. The rings are no circles, so that the sides of a half have different widths. The vertex is in the
+// middle of the first half, between flat sides.
+inline Soup tube_that_turns_to_and_fro(int m)
+{
+  const auto p = polygon(2 * m);
+  auto low = ring(p, 1, 500), high = ring(p, 1, 900), bottom = ring(p, 3, 500), top = ring(p, 3, 900);
+  for(int i = 0; i < 2 * m; ++i)
+  {
+    Position& wider = ((i + m / 2) % (2 * m) < m ? low : high)[static_cast<std::size_t>(i)];
+    wider[0] *= 1 + 1. / 64;
+    wider[1] *= 1 + 1. / 64;
+  }
+  for(auto* r : {&low, &high, &bottom, &top})
+    for(Position& q : *r)
+      q[0] += q[1] / 4;
+  return tube_with_one_vertex(low, high, bottom, top, true);
 }
 
 inline std::size_t vertex_at_height(const Soup& soup, double z)
