@@ -61,7 +61,7 @@ public:
     m_covered.clear();
     m_vertices.clear();
     for(Side& s : m_sides)
-      s = Side();
+      s.restart();
     for(const Trace_point& p : trace)
       if(p.is_pivot())
         m_vertices.push_back(p.pivot);
@@ -172,6 +172,17 @@ private:
     Front_start start;
     std::size_t number_settled = 0; // of the vertices beside the start, from the beginning of the list
     std::deque<std::pair<Index, double> > touched; // faces and where the front was when it reached them
+
+    void restart()
+    {
+      lengths.clear();
+      level = 0;
+      pieces.clear();
+      used_up = false;
+      start.clear();
+      number_settled = 0;
+      touched.clear();
+    }
   };
 
   // Another curve.

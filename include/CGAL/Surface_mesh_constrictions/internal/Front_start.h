@@ -34,6 +34,13 @@ struct Front_start
   std::vector<Index> vertices; // of the faces that the curve cuts
   std::vector<Piece> pieces;   // what it cuts them into
   std::vector<Index> faces;    // at pivots, that the curve does not cut
+
+  void clear()
+  {
+    vertices.clear();
+    pieces.clear();
+    faces.clear();
+  }
 };
 
 // Cuts a face along some strands, and gives its corners their distances to them.

@@ -20,12 +20,11 @@ namespace internal {
 class Level_scale
 {
 public:
-  explicit Level_scale(double unit) : m_unit(unit) {}
+  explicit Level_scale(double unit) : m_unit(unit), m_first(&first_factors()) {}
 
   double level(std::size_t k) const
   {
-    static const std::vector<double> first = factors();
-    return m_unit * (k < first.size() ? first[k] : factor(k));
+    return m_unit * (k < m_first->size() ? (*m_first)[k] : factor(k));
   }
 
   // the first level above a distance
@@ -49,16 +48,22 @@ private:
     return t <= 1 ? t : std::exp(t - 1);
   }
 
+  typedef std::array<double, 2048> Factors;
+
   // Those of nearly all levels of any sweep.
-  static std::vector<double> factors()
+  static const Factors& first_factors()
   {
-    std::vector<double> result(2048);
-    for(std::size_t k = 0; k < result.size(); ++k)
-      result[k] = factor(k);
+    static const Factors result = [] {
+      Factors factors;
+      for(std::size_t k = 0; k < factors.size(); ++k)
+        factors[k] = factor(k);
+      return factors;
+    }();
     return result;
   }
 
   double m_unit;
+  const Factors* m_first;
 };
 
 // Lengths of the level sets of a piecewise linear function, by the class that each triangle is in.
@@ -66,6 +71,15 @@ class Level_lengths
 {
 public:
   typedef std::array<std::pair<Vector3, double>, 3> Triangle; // corners with their values
+
+  // Forgets the lengths. What has been allocated is used again: sweeps are many and mostly small.
+  void clear()
+  {
+    for(std::vector<double>& lengths : m_lengths)
+      lengths.clear();
+    for(std::vector<std::size_t>& classes : m_classes)
+      classes.clear();
+  }
 
   // The lengths of a level set in those classes in which it is longer than 0, in ascending order of the classes.
   std::vector<std::pair<std::size_t, double> > lengths(std::size_t level) const
