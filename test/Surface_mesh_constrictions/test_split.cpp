@@ -6,7 +6,6 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <gtest/gtest.h>
 
@@ -15,7 +14,6 @@
 #include <iterator>
 #include <map>
 #include <random>
-#include <string>
 #include <vector>
 
 namespace test_split {
@@ -259,25 +257,5 @@ TEST(Split_order, PartsAreLimitedInNumber)
     EXPECT_EQ(parts.size(), (std::min)(n, std::size_t(3)));
   }
 }
-
-void expect_parts_of_file(const std::string& name, std::size_t number_of_parts)
-{
-  const std::string file = CONSTRICTIONS_MESH_DIR "/" + name;
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(file, mesh))
-    FAIL() << "cannot read " << file;
-  std::vector<SMC::Constriction<Mesh>> selected, all;
-  SMC::detect_constrictions(mesh, std::back_inserter(selected), SMC::parameters::certify(false));
-  SMC::detect_constrictions(mesh, std::back_inserter(all),
-                            SMC::parameters::certify(false, SMC::parameters::all_constrictions(true)));
-  Mesh copy = mesh;
-  EXPECT_EQ(expect_parts(copy, selected).number_of_parts, number_of_parts);
-  expect_parts(mesh, all);
-}
-
-TEST(Split_real_meshes, Cactus) { expect_parts_of_file("cactus.off", 4); }
-// The loops through its two holes and two around both: the front and the back, two pairs of pants, and the ring between
-// the two loops around both.
-TEST(Split_real_meshes, Eight) { expect_parts_of_file("eight.off", 2); }
 
 } // namespace test_split
