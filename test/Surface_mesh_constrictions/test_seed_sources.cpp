@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Sections.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Shortest_path_tree.h>
 #include <CGAL/Surface_mesh_constrictions/section_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 
@@ -124,6 +125,45 @@ TEST(CutLocusSeeds, TheLoopAroundATubeIsFoundFromEachOfItsVertices)
   EXPECT_EQ(on_tube, 4u);
 }
 
+// Two loops of a root whose closing edges are two apart along the cut locus differ by the course of the edges only.
+TEST(CutLocusSeeds, OfLoopsThatCloseAFewEdgesApartTheShortestIsASeed)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::torus(0.2, 3, 30, 20));
+  const SMC::internal::Edge_graph graph(pm);
+  SMC::internal::Shortest_path_tree tree(graph);
+  const std::vector<SMC::internal::Edge_graph::Edge>& edges = graph.edges();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(Index root = 0; root < graph.number_of_vertices(); ++root)
+  {
+    tree.grow(root);
+    std::vector<double> loop_of; // length of the loop that an edge closes, by edge
+    for(const auto& e : edges)
+    {
+      const Index u = tree.branch(e.ends[0]), v = tree.branch(e.ends[1]);
+      const bool closes = u != v && u != SMC::null_index && v != SMC::null_index;
+      loop_of.push_back(closes ? tree.distance(e.ends[0]) + e.length + tree.distance(e.ends[1]) : infinity);
+    }
+    for(const Seed_curve& seed : loops_at(pm, graph.id(root)))
+    {
+      const double total = length(pm, seed.vertices);
+      for(std::size_t e = 0; e < edges.size(); ++e)
+      {
+        std::set<Index> loop(seed.vertices.begin(), seed.vertices.end());
+        if(std::abs(loop_of[e] - total) > 1e-12 * total || loop.count(graph.id(edges[e].ends[0])) == 0 ||
+           loop.count(graph.id(edges[e].ends[1])) == 0)
+          continue;
+        for(Index next : edges[e].around)
+          if(loop_of[next] < infinity)
+            for(Index second : edges[next].around)
+            {
+              const bool is_at_root = edges[second].apexes[0] == root || edges[second].apexes[1] == root;
+              EXPECT_TRUE(is_at_root || loop_of[second] >= total * (1 - 1e-12));
+            }
+      }
+    }
+  }
+}
+
 TEST(CutLocusSeeds, ALoopThatBoundsAFaceIsNotASeed)
 {
   const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::tetrahedron());
@@ -229,6 +269,27 @@ TEST(SectionSeeds, AlongATubeTheShortestAroundAndEachSeventhLevelAreGiven)
   }
   EXPECT_EQ(necks.size(), 4u);
   EXPECT_EQ(samples.size(), sampled.size());
+}
+
+// A cone cut aslant: every section is longer than the one below it, though the edges beside them zigzag.
+TEST(SectionSeeds, LoopsAreComparedByTheLevelSetsBesideThem)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(
+      test_meshes::revolution([](double s) { return 0.5 + 0.3 * s; }, 10, 60, 24, 0.02, 1));
+  const SMC::internal::Edge_graph graph(pm);
+  std::vector<double> heights;
+  for(Index v = 0; v < graph.number_of_vertices(); ++v)
+    heights.push_back(pm.point(graph.id(v)).z() + 0.5 * pm.point(graph.id(v)).x());
+  const std::size_t levels = 52;
+  SMC::internal::Sections sections(pm, graph);
+  std::vector<Seed_curve> seeds;
+  sections.cut(heights, levels, std::back_inserter(seeds));
+  std::size_t inside = 0;
+  for(const Seed_curve& s : seeds)
+    inside += std::all_of(s.vertices.begin(), s.vertices.end(),
+                          [&](Index v) { return pm.point(v).z() > 0.5 && pm.point(v).z() < 9.5; });
+  EXPECT_GE(inside, 6u);
+  EXPECT_LE(inside, (levels + 3) / 7 + 1);
 }
 
 // Of two components each is cut, and no path joins them.

@@ -349,6 +349,20 @@ TEST_F(StripAroundPrism, WhatIsCrossedForthAndBackAtItsEndsIsRemoved)
   EXPECT_EQ(same.rotated(same.corners().front()), closed.rotated(closed.corners().front()));
 }
 
+// What a loop of one arc is tightened to, with the unit of length of a surface that may be another one.
+std::vector<SMC::internal::Arc> tightened(const SMC::Progressive_mesh& pm, const SMC::internal::Arc& loop,
+                                          const SMC::Progressive_mesh& unit_of)
+{
+  SMC::internal::Curve_network network(pm, false);
+  const Index c = network.add_curve(0);
+  std::vector<SMC::internal::Arc> arcs = {loop};
+  network.set_arcs(c, arcs);
+  SMC::internal::Tightener tightener(network, SMC::internal::Length_unit(unit_of));
+  tightener.enqueue_all(c);
+  tightener.run();
+  return SMC::internal::arcs_of_curve(network, c);
+}
+
 // Up to the narrower end the loop gets shorter by 4 of 6000.
 TEST_F(StripAroundPrism, AStepThatGainsLessThanAUnitIsNotTaken)
 {
@@ -357,25 +371,15 @@ TEST_F(StripAroundPrism, AStepThatGainsLessThanAUnitIsNotTaken)
   double length_of_end = 0;
   for(std::size_t i = 0; i < end.size(); ++i)
     length_of_end += std::hypot(end[(i + 1) % n][0] - end[i][0], end[(i + 1) % n][1] - end[i][1]);
-  const auto tighten = [this](const SMC::Progressive_mesh& unit_of) {
-    SMC::internal::Curve_network network(*pm, false);
-    const Index c = network.add_curve(0);
-    std::vector<SMC::internal::Arc> arcs = {arc};
-    network.set_arcs(c, arcs);
-    SMC::internal::Tightener tightener(network, SMC::internal::Length_unit(unit_of));
-    tightener.enqueue_all(c);
-    tightener.run();
-    return SMC::internal::arcs_of_curve(network, c);
-  };
   double length = 0;
-  for(const SMC::internal::Arc& a : tighten(*pm))
+  for(const SMC::internal::Arc& a : tightened(*pm, arc, *pm))
     length += a.length;
   EXPECT_NEAR(length, length_of_end, 1e-9);
 
   // a box whose diagonal, 13 edges of its cells, is 10^4 * 2^53: the unit is 10^4
   const double edge = std::ldexp(1e4 / 13, 53);
   const std::vector<SMC::internal::Arc> left =
-      tighten(test_meshes::make_progressive(test_meshes::box(3, 4, 12, {{edge, edge, edge}})));
+      tightened(*pm, arc, test_meshes::make_progressive(test_meshes::box(3, 4, 12, {{edge, edge, edge}})));
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left[0].from, vertex);
   EXPECT_EQ(left[0].length, arc.length);
@@ -404,14 +408,7 @@ TEST(Tightening, OfAStripThatUnfoldsOverItsCentreTheBestCornerIsTaken)
   EXPECT_LT(std::min(angles.left, angles.right), 0.5);
   EXPECT_GT(std::max(angles.left, angles.right), CGAL_PI);
 
-  SMC::internal::Curve_network network(pm, false);
-  const Index c = network.add_curve(0);
-  std::vector<SMC::internal::Arc> arcs = {loop};
-  network.set_arcs(c, arcs);
-  SMC::internal::Tightener tightener(network, SMC::internal::Length_unit(pm));
-  tightener.enqueue_all(c);
-  tightener.run();
-  EXPECT_TRUE(network.is_empty(c));
+  EXPECT_TRUE(tightened(pm, loop, pm).empty());
 }
 
 TEST(ClosedStrip, AroundOneVertexItIsDegenerate)
