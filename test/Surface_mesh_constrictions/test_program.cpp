@@ -66,7 +66,7 @@ TEST_F(Program, detect_prints_json_only)
   ASSERT_EQ(j["constrictions"].size(), 1u);
   const auto& c = j["constrictions"][0];
   EXPECT_EQ(keys(c), (Keys{"id", "length", "points", "locations", "pivots", "certificate", "side", "separating",
-                           "areas", "isoperimetric_ratio", "prominence", "dominated_by", "seed"}));
+                           "areas", "genera", "isoperimetric_ratio", "prominence", "dominated_by", "seed"}));
   EXPECT_EQ(c["id"], 0);
   EXPECT_DOUBLE_EQ(c["length"], 4);
   EXPECT_EQ(c["points"].size(), c["locations"].size());
@@ -74,6 +74,7 @@ TEST_F(Program, detect_prints_json_only)
   EXPECT_EQ(c["side"], "object");
   EXPECT_EQ(c["separating"], true);
   EXPECT_DOUBLE_EQ(c["areas"][0].get<double>() + c["areas"][1].get<double>(), 114);
+  EXPECT_EQ(c["genera"], (std::vector<int>{0, 0}));
   EXPECT_GT(c["prominence"].get<double>(), 1);
   EXPECT_TRUE(c["dominated_by"].is_null());
   EXPECT_EQ(keys(c["seed"]), (Keys{"level", "vertices", "origin"}));

@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -112,6 +114,49 @@ TEST(Segmentation, AreasAreThoseThatTheCurveIsKnownToPart)
   EXPECT_NEAR(s.part(right).area, curves[0].areas()[1], 1e-12 * curves[0].areas()[1]);
   EXPECT_NEAR(s.part(0).volume + s.part(1).volume, PMP::volume(mesh), 1e-12);
   EXPECT_NEAR(s.result.adjacencies[0].length, curves[0].length(), 1e-12);
+}
+
+// Along x a plate with one hole, a bar, a plate with two holes, a bar, and a box without.
+test_meshes::Soup plates_on_bars()
+{
+  return test_meshes::voxels({{27, 5, 3}}, [](int i, int j, int k) {
+    const bool is_bar = j == 2 && k == 1, is_hole = (i == 2 || i == 11 || i == 15) && j == 2;
+    const bool is_plate = i < 5 || (i >= 9 && i < 18) || i >= 22;
+    return is_plate ? !is_hole && (k == 1 || i >= 22) : is_bar;
+  });
+}
+
+// The parts are found by cutting the mesh, and their topology by counting in what is left.
+TEST(Segmentation, GeneraAreThoseThatTheCurveIsKnownToPart)
+{
+  std::vector<test_meshes::Soup> soups;
+  for(unsigned seed = 0; seed < 4; ++seed)
+  {
+    const test_meshes::Soup soup =
+        test_meshes::relabelled(test_meshes::jittered(plates_on_bars(), 0.12 * seed / 4, seed), seed);
+    soups.push_back(soup);
+    soups.push_back(test_meshes::joined(test_meshes::torus(0.05, seed), test_meshes::inside_out(soup), 30));
+  }
+  std::set<std::array<std::size_t, 2>> separating, cutting;
+  for(const test_meshes::Soup& soup : soups)
+  {
+    const Mesh mesh = test_meshes::make_mesh(soup);
+    std::vector<Curve> curves;
+    SMC::detect_constrictions(mesh, std::back_inserter(curves), SMC::parameters::all_constrictions(true));
+    for(const Curve& c : curves)
+    {
+      const Segmentation s(mesh, {c});
+      ASSERT_TRUE(s.is_used(0));
+      const auto& [left, right] = s.result.adjacencies.at(0).parts;
+      EXPECT_EQ(c.is_separating(), left != right);
+      EXPECT_EQ(c.genera(), (std::array<std::size_t, 2>{{s.part(left).genus, s.part(right).genus}}));
+      (c.is_separating() ? separating : cutting).insert(c.genera());
+    }
+  }
+  typedef std::set<std::array<std::size_t, 2>> Pairs;
+  for(const Pairs::value_type& pair : Pairs{{{0, 3}}, {{1, 2}}, {{2, 1}}, {{3, 0}}})
+    EXPECT_TRUE(separating.count(pair)) << pair[0] << " and " << pair[1];
+  EXPECT_EQ(cutting, (Pairs{{{0, 0}}, {{2, 2}}}));
 }
 
 TEST(Segmentation, CoordinatesOfAnySize)

@@ -119,6 +119,7 @@ Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mes
           {"side", side_name(c.side())},
           {"separating", c.is_separating()},
           {"areas", c.areas()},
+          {"genera", c.genera()},
           {"isoperimetric_ratio", c.isoperimetric_ratio()},
           {"prominence", c.prominence()}, // null if it is not a number
           {"dominated_by", c.dominated_by() ? Json(*c.dominated_by()) : Json()},

@@ -93,6 +93,7 @@ public:
     bool separating = false;                        ///< see `Constriction::is_separating()`
     std::vector<std::size_t> homology_class;        ///< see `Constriction::homology_class()`
     std::array<double, 2> areas = {0, 0};           ///< see `Constriction::areas()`
+    std::array<std::size_t, 2> genera = {0, 0};     ///< see `Constriction::genera()`
     double isoperimetric_ratio = 0;                 ///< see `Constriction::isoperimetric_ratio()`
     Side side = Side::MIXED;                        ///< see `Constriction::side()`
     Certificate certificate;                        ///< see `Constriction::certificate()`
@@ -134,6 +135,10 @@ public:
   /// areas on the left and on the right of the curve within its connected component. Of a non-separating curve both
   /// are the area of the component.
   const std::array<double, 2>& areas() const { return m_data->areas; }
+
+  /// genera of the parts on the left and on the right of the curve within its connected component, with their
+  /// boundary closed. Of a non-separating curve both are that of the component cut along it, one less than its own.
+  const std::array<std::size_t, 2>& genera() const { return m_data->genera; }
 
   /// length^2 / (4 pi A), with A the smaller of the two areas
   double isoperimetric_ratio() const { return m_data->isoperimetric_ratio; }

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Answers for closed paths of edges what they bound, in time that depends on the path alone.
+// Answers for closed curves what they bound, in time that depends on the curve alone.
 //
 // A spanning tree of the vertices, and one of the faces that crosses none of its edges, leave 2g edges of each component
 // of genus g (tree-cotree decomposition, Eppstein, "Dynamic generators of topologically embedded graphs", 2003). Each of
@@ -26,7 +26,8 @@ public:
   // Linear.
   explicit Surface_cycles(const Progressive_mesh& pm)
     : m_pm(pm), m_to_parent(pm.number_of_face_ids(), null_index), m_first(pm.number_of_face_ids(), 0),
-      m_end(pm.number_of_face_ids(), 0), m_root(pm.number_of_face_ids(), null_index), m_area(pm.number_of_face_ids(), 0)
+      m_end(pm.number_of_face_ids(), 0), m_root(pm.number_of_face_ids(), null_index), m_area(pm.number_of_face_ids(), 0),
+      m_number_of_vertices(pm.number_of_face_ids(), 0)
   {
     std::vector<bool> is_in_tree(pm.number_of_halfedge_ids(), false); // by edge
     span_vertices(is_in_tree);
@@ -84,16 +85,99 @@ public:
   double area_on_left(const std::vector<Index>& path) const
   {
     double sum = 0;
-    for_each_edge(path, [&](Index h) {
-      if(m_to_parent[m_pm.face(h)] == h)
-        sum += m_area[m_pm.face(h)];
-      else if(m_to_parent[m_pm.face(m_pm.opposite(h))] == m_pm.opposite(h))
-        sum -= m_area[m_pm.face(m_pm.opposite(h))];
-    });
+    for_each_subtree_beside(path, [&](Index f, int sign) { sum += sign * m_area[f]; });
     return sum;
   }
 
+  // The genera of what a simple closed curve that bounds has on its left and on its right. The curve passes no vertex
+  // and is given by the halfedges that it crosses, their targets on its left. Linear in their number.
+  //
+  // The Euler characteristic of what is on the left is V - F / 2, with V its vertices and F the faces whose middle it
+  // has: an edge with m crossings has (m + the number of its ends on the left) / 2 pieces there, and a face with m
+  // strands, each of which cuts off a corner, (m + the number of its corners on the left - [its middle is]) / 2.
+  std::array<std::size_t, 2> genera(const std::vector<Index>& crossings) const
+  {
+    // Moved to its left, to the next vertices, the curve leaves a middle on its right where it cuts off a corner on the
+    // right. A vertex counts as its face's middle does, but for the strands between the two.
+    std::vector<Index> path;
+    for(Index h : crossings)
+      path.push_back(m_pm.target(h));
+    Numbers left;
+    for_each_subtree_beside(path, [&](Index f, int sign) { left.add(subtree(f), sign); });
+    for(std::size_t i = 0; i < crossings.size(); ++i)
+    {
+      const Index h = crossings[i], next = crossings[(i + 1) % crossings.size()], f = m_pm.face(next);
+      const bool is_corner_on_left = m_pm.target(h) == m_pm.target(next);
+      const Index corner = is_corner_on_left ? m_pm.target(h) : m_pm.source(h);
+      const bool belongs_to_face = face_of_vertex(corner) == f;
+      if(is_corner_on_left)
+        left.add({0, belongs_to_face}, 1);
+      else
+      {
+        left.add(own(f), 1);
+        left.add({0, belongs_to_face}, -1);
+      }
+    }
+    // Neither side is without a vertex and the middle of a face, so the multiples of the whole are told.
+    const Numbers whole = subtree(m_root[m_pm.face(crossings.front())]);
+    while(left.faces < 0 || (left.faces == 0 && left.vertices <= 0))
+      left.add(whole, 1);
+    while(left.faces > whole.faces || (left.faces == whole.faces && left.vertices >= whole.vertices))
+      left.add(whole, -1);
+    const auto genus = [](const Numbers& side) {
+      return static_cast<std::size_t>((2 - 2 * side.vertices + side.faces) / 4);
+    };
+    return {{genus(left), genus({whole.faces - left.faces, whole.vertices - left.vertices})}};
+  }
+
+  // the genus of the component that a face belongs to
+  std::size_t genus_of_component(Index f) const
+  {
+    const Numbers whole = subtree(m_root[f]);
+    return static_cast<std::size_t>((4 - 2 * whole.vertices + whole.faces) / 4);
+  }
+
 private:
+  // Of faces, and of the vertices that belong to them.
+  struct Numbers
+  {
+    long faces = 0, vertices = 0;
+
+    void add(const Numbers& other, long factor)
+    {
+      faces += factor * other.faces;
+      vertices += factor * other.vertices;
+    }
+  };
+
+  // The one of its faces that a vertex belongs to.
+  Index face_of_vertex(Index v) const { return m_pm.face(m_pm.outgoing(v)); }
+
+  Numbers own(Index f) const
+  {
+    Numbers result = {1, 0};
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      result.vertices += face_of_vertex(m_pm.source(h)) == f;
+    return result;
+  }
+
+  Numbers subtree(Index f) const
+  {
+    return {static_cast<long>(m_end[f]) - static_cast<long>(m_first[f]), static_cast<long>(m_number_of_vertices[f])};
+  }
+
+  // The subtrees of faces that a path turns off, and 1 or -1 for whether their top is on its left or on its right.
+  template <class F>
+  void for_each_subtree_beside(const std::vector<Index>& path, const F& f) const
+  {
+    for_each_edge(path, [&](Index h) {
+      if(m_to_parent[m_pm.face(h)] == h)
+        f(m_pm.face(h), 1);
+      else if(m_to_parent[m_pm.face(m_pm.opposite(h))] == m_pm.opposite(h))
+        f(m_pm.face(m_pm.opposite(h)), -1);
+    });
+  }
+
   template <class F>
   void for_each_edge(const std::vector<Index>& path, const F& f) const
   {
@@ -139,7 +223,7 @@ private:
     }
   }
 
-  // Numbers the faces such that those of a subtree are consecutive, and adds up areas towards the roots.
+  // Numbers the faces such that those of a subtree are consecutive, and adds up areas and vertices towards the roots.
   void span_faces(std::vector<bool>& is_in_tree)
   {
     std::vector<Index> order, stack;
@@ -157,6 +241,7 @@ private:
         m_first[f] = static_cast<Index>(order.size());
         m_end[f] = m_first[f] + 1;
         m_area[f] = face_area(m_pm, f);
+        m_number_of_vertices[f] = static_cast<Index>(own(f).vertices);
         order.push_back(f);
         for(Index h = 3 * f; h < 3 * f + 3; ++h)
         {
@@ -174,6 +259,7 @@ private:
         const Index f = order[i], parent = m_pm.face(m_pm.opposite(m_to_parent[f]));
         m_end[parent] = (std::max)(m_end[parent], m_end[f]);
         m_area[parent] += m_area[f];
+        m_number_of_vertices[parent] += m_number_of_vertices[f];
       }
     }
   }
@@ -185,11 +271,12 @@ private:
   }
 
   const Progressive_mesh& m_pm;
-  std::vector<Index> m_to_parent;    // of a face: its halfedge to the next face on the way to the root of its tree
-  std::vector<Index> m_first, m_end; // of a face: the numbers of the faces of its subtree
-  std::vector<Index> m_root;         // of the tree that a face belongs to
-  std::vector<double> m_area;        // of the subtree of a face
-  std::vector<Index> m_left_over;    // edges that neither are in the tree of vertices nor are crossed by that of faces
+  std::vector<Index> m_to_parent;          // of a face: its halfedge to the next face on the way to its root
+  std::vector<Index> m_first, m_end;       // of a face: the numbers of the faces of its subtree
+  std::vector<Index> m_root;               // of the tree that a face belongs to
+  std::vector<double> m_area;              // of the subtree of a face
+  std::vector<Index> m_number_of_vertices; // that belong to the faces of the subtree of a face
+  std::vector<Index> m_left_over;          // edges neither in the tree of vertices nor crossed by that of faces
 };
 
 } // namespace internal

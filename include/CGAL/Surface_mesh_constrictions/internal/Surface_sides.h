@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_crossings.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Surface_cycles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
@@ -77,6 +78,16 @@ public:
       left -= whole;
     result.areas = {{left, whole - left}};
     return result;
+  }
+
+  // The genera of the parts on the left and on the right of a geodesic; if it does not separate, both that of its
+  // component cut along it. Linear in the points and the degrees of the pivots.
+  std::array<std::size_t, 2> genera(const std::vector<Trace_point>& trace, bool is_separating) const
+  {
+    if(is_separating)
+      return m_cycles.genera(crossings_beside_pivots(m_pm, trace));
+    const std::size_t genus = m_cycles.genus_of_component(some_face(trace)) - 1;
+    return {{genus, genus}};
   }
 
   // Which side of the surface a geodesic chokes: where its curvature vector points into the solid, the object. What

@@ -70,6 +70,7 @@ public:
     data.separating = parting.is_separating();
     data.homology_class.assign(parting.homology_class.begin(), parting.homology_class.end());
     data.areas = {{parting.areas[0] * unit * unit, parting.areas[1] * unit * unit}};
+    data.genera = m_sides.genera(points, parting.is_separating());
     data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting.areas);
     data.side = m_sides.choked_side(points);
     data.flat_band_width = band_width * unit;
