@@ -244,17 +244,17 @@ TEST(SectionSeeds, AlongATubeTheShortestAroundAndEachSeventhLevelAreGiven)
   for(int i = 3; i < levels; i += 7)
     sampled.push_back(low + (high - low) * (i + 0.5) / levels);
   SMC::internal::Sections sections(pm, graph);
-  std::vector<Seed_curve> seeds;
-  sections.cut(heights, levels, std::back_inserter(seeds));
-  EXPECT_LE(seeds.size(), 4u + 3u + sampled.size());
+  std::vector<std::vector<Index>> loops;
+  sections.cut(heights, levels, [&loops](std::vector<Index> loop) { loops.push_back(std::move(loop)); });
+  EXPECT_LE(loops.size(), 4u + 3u + sampled.size());
   std::set<int> necks;
   std::set<std::size_t> samples;
-  for(const Seed_curve& s : seeds)
+  for(const std::vector<Index>& loop : loops)
   {
-    expect_closed_path(pm, s);
+    expect_closed_path(pm, Seed_curve{0, loop, Seed_origin::SECTION});
     double z = 0;
-    for(Index v : s.vertices)
-      z += pm.point(v).z() / static_cast<double>(s.vertices.size());
+    for(Index v : loop)
+      z += pm.point(v).z() / static_cast<double>(loop.size());
     const double neck = std::min(std::max(2 * std::round(z / 2), 2.), 8.);
     if(std::abs(z - neck) < 0.2)
       necks.insert(static_cast<int>(neck));
@@ -282,11 +282,11 @@ TEST(SectionSeeds, LoopsAreComparedByTheLevelSetsBesideThem)
     heights.push_back(pm.point(graph.id(v)).z() + 0.5 * pm.point(graph.id(v)).x());
   const std::size_t levels = 52;
   SMC::internal::Sections sections(pm, graph);
-  std::vector<Seed_curve> seeds;
-  sections.cut(heights, levels, std::back_inserter(seeds));
+  std::vector<std::vector<Index>> loops;
+  sections.cut(heights, levels, [&loops](std::vector<Index> loop) { loops.push_back(std::move(loop)); });
   std::size_t inside = 0;
-  for(const Seed_curve& s : seeds)
-    inside += std::all_of(s.vertices.begin(), s.vertices.end(),
+  for(const std::vector<Index>& loop : loops)
+    inside += std::all_of(loop.begin(), loop.end(),
                           [&](Index v) { return pm.point(v).z() > 0.5 && pm.point(v).z() < 9.5; });
   EXPECT_GE(inside, 6u);
   EXPECT_LE(inside, (levels + 3) / 7 + 1);

@@ -7,13 +7,13 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Cut_locus.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Shortest_path_tree.h>
+#include <CGAL/Surface_mesh_constrictions/internal/write_distinct_loops.h>
 #include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 
-#include <boost/container_hash/hash.hpp>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -47,18 +47,24 @@ public:
   {
     if(!is_level_with(pm, level, m_vertices))
       return out;
-    const internal::Edge_graph graph(pm);
-    internal::Cut_locus cut_locus(graph);
-    std::unordered_set<std::vector<Index>, boost::hash<std::vector<Index> >> known;
-    for(Index root : roots(graph, graph.number(pm.representative(m_vertex))))
-      cut_locus.for_each_loop(root, [&](const std::vector<Index>& loop) {
-        if(known.insert(loop).second)
-          *out++ = Seed_curve{pm.level(), loop, Seed_origin::CUT_LOCUS};
-      });
-    return out;
+    return level.is_parallel ? write_loops<Parallel_if_available_tag>(pm, out) : write_loops<Sequential_tag>(pm, out);
   }
 
 private:
+  template <class ConcurrencyTag, class OutputIterator>
+  OutputIterator write_loops(const Progressive_mesh& pm, OutputIterator out) const
+  {
+    const internal::Edge_graph graph(pm);
+    const std::vector<Index> roots = this->roots(graph, graph.number(pm.representative(m_vertex)));
+    const auto make_finder = [&] {
+      return [&, cut_locus = internal::Cut_locus(graph)](std::size_t i, const auto& write) mutable {
+        cut_locus.for_each_loop(roots[i], write);
+      };
+    };
+    return internal::write_distinct_loops<ConcurrencyTag>(roots.size(), 16, make_finder, pm.level(),
+                                                          Seed_origin::CUT_LOCUS, out);
+  }
+
   // The vertices of the graph that are nearest to one of them, nearest first.
   std::vector<Index> roots(const internal::Edge_graph& graph, Index center) const
   {

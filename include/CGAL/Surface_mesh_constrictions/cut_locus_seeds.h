@@ -6,14 +6,13 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Cut_locus.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
+#include <CGAL/Surface_mesh_constrictions/internal/write_distinct_loops.h>
 
 #include <CGAL/assertions.h>
-
-#include <boost/container_hash/hash.hpp>
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <limits>
-#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -55,6 +54,9 @@ OutputIterator cut_locus_seeds_at_vertex(const Progressive_mesh& pm, Index root,
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// writes the loops of `cut_locus_seeds_at_vertex()` for many roots, each loop once.
 ///
+/// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
+///         `Parallel_if_available_tag`. The output is the same.
+///
 /// \param pm the surface; unchanged
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
 /// \param max_roots the vertices of the surface, in the order of their ids, are roots, or each second, each third and so
@@ -63,21 +65,20 @@ OutputIterator cut_locus_seeds_at_vertex(const Progressive_mesh& pm, Index root,
 /// \pre `max_roots > 0`
 /// \cost O(size of T^0) for the ids, plus O(n log n) for each root, n being the vertices of the current surface, plus the
 ///       output. Meant for coarse levels.
-template <class OutputIterator>
+template <class ConcurrencyTag = Sequential_tag, class OutputIterator>
 OutputIterator cut_locus_seeds(const Progressive_mesh& pm, OutputIterator out,
                                std::size_t max_roots = (std::numeric_limits<std::size_t>::max)())
 {
   CGAL_precondition(max_roots > 0);
   const internal::Edge_graph graph(pm);
-  internal::Cut_locus cut_locus(graph);
-  std::unordered_set<std::vector<Index>, boost::hash<std::vector<Index> > > known;
   const std::size_t n = graph.number_of_vertices(), step = n == 0 ? 1 : (n - 1) / max_roots + 1;
-  for(std::size_t root = 0; root < n; root += step)
-    cut_locus.for_each_loop(static_cast<Index>(root), [&](const std::vector<Index>& loop) {
-      if(known.insert(loop).second)
-        *out++ = Seed_curve{pm.level(), loop, Seed_origin::CUT_LOCUS};
-    });
-  return out;
+  const auto make_finder = [&graph, step] {
+    return [cut_locus = internal::Cut_locus(graph), step](std::size_t i, const auto& write) mutable {
+      cut_locus.for_each_loop(static_cast<Index>(i * step), write);
+    };
+  };
+  return internal::write_distinct_loops<ConcurrencyTag>((n + step - 1) / step, 16, make_finder, pm.level(),
+                                                        Seed_origin::CUT_LOCUS, out);
 }
 
 } // namespace Surface_mesh_constrictions

@@ -7,12 +7,11 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten_paths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
@@ -86,50 +85,6 @@ inline std::vector<std::size_t> coarsest_first(const std::vector<Seed_curve>& se
   std::stable_sort(order.begin(), order.end(),
                    [&seeds](std::size_t a, std::size_t b) { return seeds[a].level > seeds[b].level; });
   return order;
-}
-
-// Of those closed geodesics of a level the ones that may be asked for, as far as this level tells. Curves that are not
-// simple here may be on a finer level. Cost: that of the areas and prominences.
-inline std::vector<Index> curves_asked_for(const Curve_network& network, const Merging_parameters& parameters)
-{
-  const Progressive_mesh& pm = network.surface();
-  std::vector<Index> all, result, simple;
-  for(Index c = 0; c < network.number_of_curve_ids(); ++c)
-    if(!network.is_empty(c))
-      all.push_back(c);
-  const bool any_ratio = parameters.maximum_isoperimetric_ratio == (std::numeric_limits<double>::infinity)();
-  if(any_ratio && parameters.minimum_prominence <= 0)
-    return all;
-
-  const Surface_sides sides(pm);
-  std::vector<std::vector<Trace_point> > traces;
-  for(Index c : all)
-  {
-    const std::vector<Arc> arcs = arcs_of_curve(network, c);
-    if(!is_simple(pm, arcs))
-    {
-      result.push_back(c);
-      continue;
-    }
-    std::vector<Trace_point> points = trace(pm, arcs);
-    const Parting parting = sides.part(points);
-    if(parting.is_separating() &&
-       isoperimetric_ratio(network.length(c), parting.areas) > parameters.maximum_isoperimetric_ratio)
-      continue;
-    simple.push_back(c);
-    traces.push_back(std::move(points));
-  }
-  if(parameters.minimum_prominence <= 0)
-    result.insert(result.end(), simple.begin(), simple.end());
-  else
-  {
-    const std::vector<Prominence> p = prominences(pm, traces, parameters.crossing);
-    for(std::size_t i = 0; i < simple.size(); ++i)
-      if(p[i].value >= parameters.minimum_prominence)
-        result.push_back(simple[i]);
-  }
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 // Carries seeds, in an order from the coarsest level, to a level as paths of edges, each path once. Those of finer levels
@@ -210,7 +165,8 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   for(std::size_t i : internal::tighten_paths<ConcurrencyTag>(paths.size(), path_on_copy, network))
     give_up(i, Merging_verdict::POINT);
 
-  const std::vector<Index> asked = internal::curves_asked_for(network, parameters);
+  const std::vector<Index> asked = internal::curves_asked_for<ConcurrencyTag>(
+      network, parameters.maximum_isoperimetric_ratio, parameters.minimum_prominence, parameters.crossing);
   for(Index c = 0; c < network.number_of_curve_ids(); ++c)
   {
     if(network.is_empty(c))

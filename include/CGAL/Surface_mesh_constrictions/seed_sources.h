@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_constrictions/section_seeds.h>
 
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,6 +31,7 @@ struct Seed_level
   std::size_t number_of_collapses;              ///< the level of the coarsest surface
   Index merged;                                 ///< the vertex that the last collapse kept; `null_index` on T^0
   const std::vector<Seed_curve>* refused_seeds; ///< as recorded during the simplification, sorted by level
+  bool is_parallel = false;                     ///< whether more than one thread is asked for
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -177,7 +179,10 @@ public:
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {
-    return is_level_with(pm, level, m_vertices) ? cut_locus_seeds(pm, out, m_max_roots) : out;
+    if(!is_level_with(pm, level, m_vertices))
+      return out;
+    return level.is_parallel ? cut_locus_seeds<Parallel_if_available_tag>(pm, out, m_max_roots)
+                             : cut_locus_seeds<Sequential_tag>(pm, out, m_max_roots);
   }
 
 private:
@@ -201,10 +206,18 @@ public:
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {
-    return is_level_with(pm, level, m_vertices) ? distance_section_seeds(pm, plane_section_seeds(pm, out)) : out;
+    if(!is_level_with(pm, level, m_vertices))
+      return out;
+    return level.is_parallel ? write_sections<Parallel_if_available_tag>(pm, out) : write_sections<Sequential_tag>(pm, out);
   }
 
 private:
+  template <class ConcurrencyTag, class OutputIterator>
+  OutputIterator write_sections(const Progressive_mesh& pm, OutputIterator out) const
+  {
+    return distance_section_seeds<ConcurrencyTag>(pm, plane_section_seeds<ConcurrencyTag>(pm, out));
+  }
+
   std::size_t m_vertices;
 };
 

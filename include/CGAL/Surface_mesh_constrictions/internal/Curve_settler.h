@@ -34,8 +34,9 @@ public:
     m_leaks += band.leaks;
     if(m_network.is_empty(c))
       return Tightening_verdict::DEGENERATE;
-    return is_simple(m_network.surface(), arcs_of_curve(m_network, c)) ? Tightening_verdict::CLOSED_GEODESIC
-                                                                       : Tightening_verdict::NOT_SIMPLE;
+    const Progressive_mesh& pm = m_network.surface();
+    return is_simple(pm, trace(pm, arcs_of_curve(m_network, c))) ? Tightening_verdict::CLOSED_GEODESIC
+                                                                 : Tightening_verdict::NOT_SIMPLE;
   }
 
   // of the flat band of the last curve; 0 if it has none

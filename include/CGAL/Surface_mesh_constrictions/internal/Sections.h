@@ -3,12 +3,10 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SECTIONS_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
 #include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
-#include <boost/container_hash/hash.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
@@ -16,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -28,14 +25,14 @@ namespace internal {
 // faces none of whose vertices is above the level. Where a loop and one of the next level bound a tube between them, only
 // that is given beside which the level set is shorter: what is given is the shortest around. Where a constriction lies
 // aslant in a tube that only gets wider, none of the sections may be the shortest: so each seventh level is given as a
-// whole. No loop is given twice, whatever the functions.
+// whole.
 class Sections
 {
 public:
   // Makes a compact copy of the current surface, whose vertices have the numbers that they have in the graph. O(size of T^0)
   // for the ids, and linear in the size of the current surface.
   Sections(const Progressive_mesh& pm, const Edge_graph& graph)
-    : m_level(pm.level()), m_graph(graph), m_slab_of_vertex(graph.number_of_vertices(), 0)
+    : m_graph(graph), m_slab_of_vertex(graph.number_of_vertices(), 0)
   {
     std::vector<Index> vertex(pm.number_of_vertex_ids(), null_index), face(pm.number_of_face_ids(), null_index), faces;
     for(Index v = 0; v < graph.number_of_vertices(); ++v)
@@ -61,13 +58,14 @@ public:
     m_loop_at.resize(m_source.size(), 0);
   }
 
-  // Writes the loops of the given number of levels, at equal distances from the least value to the greatest. Values
-  // are given by number in the graph; those that are not finite are above all levels. O(faces), plus the loops.
-  template <class OutputIterator>
-  OutputIterator cut(const std::vector<double>& values, std::size_t levels, OutputIterator out)
+  // Calls write(loop), a canonical closed path of vertex ids, for the loops of the given number of levels, at equal
+  // distances from the least value to the greatest. Values are given by number in the graph; those that are not finite are
+  // above all levels. O(faces), plus the loops.
+  template <class Write>
+  void cut(const std::vector<double>& values, std::size_t levels, const Write& write)
   {
     if(!make_slabs(values, levels))
-      return out;
+      return;
     m_loops.clear();
     std::size_t below = 0; // the first loop of the level before
     for(Index i = 0; i < levels; ++i)
@@ -88,10 +86,8 @@ public:
       for(Index h : loop.halfedges)
         path.push_back(m_graph.id(m_source[h]));
       make_canonical(path);
-      if(m_known.insert(path).second)
-        *out++ = Seed_curve{m_level, std::move(path), Seed_origin::SECTION};
+      write(std::move(path));
     }
-    return out;
   }
 
 private:
@@ -237,7 +233,6 @@ private:
     }
   }
 
-  std::size_t m_level;
   const Edge_graph& m_graph;
   std::vector<Index> m_source, m_opposite; // of halfedges, three for each face
   std::vector<Vector3> m_position;         // of vertices
@@ -254,7 +249,6 @@ private:
   std::vector<Index> m_loop_at;          // of halfedges
   std::vector<std::uint8_t> m_rank;
   std::vector<std::pair<Index, std::size_t> > m_loops_of_parts;
-  std::unordered_set<std::vector<Index>, boost::hash<std::vector<Index> > > m_known;
 };
 
 } // namespace internal

@@ -118,16 +118,17 @@ inline bool alternate(const Strand& s, const Strand& t)
 }
 
 // Whether a closed curve neither crosses nor touches itself. O(n + sum of squared numbers of strands in one face).
-inline bool is_simple(const Progressive_mesh& pm, const std::vector<Arc>& curve)
+inline bool is_simple(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
 {
   std::vector<Index> pivots;
-  for(const Arc& a : curve)
-    pivots.push_back(a.from);
+  for(const Trace_point& p : trace)
+    if(p.is_pivot())
+      pivots.push_back(p.pivot);
   std::sort(pivots.begin(), pivots.end());
   if(std::adjacent_find(pivots.begin(), pivots.end()) != pivots.end())
     return false;
 
-  std::vector<Strand> s = strands(pm, trace(pm, curve));
+  std::vector<Strand> s = strands(pm, trace);
   std::sort(s.begin(), s.end(), [](const Strand& a, const Strand& b) { return a.face < b.face; });
   for(std::size_t i = 0; i < s.size(); ++i)
     for(std::size_t j = i + 1; j < s.size() && s[j].face == s[i].face; ++j)

@@ -17,12 +17,14 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <optional>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -78,11 +80,12 @@ struct Refinement_progress
 };
 
 // Builds the progressive mesh from a record and calls the seed source at every level, or as far as the first seed.
-template <class SeedSource, class Visitor>
+template <class ConcurrencyTag, class SeedSource, class Visitor>
 std::vector<Seed_curve> replay(const Collapse_record& record, const SeedSource& source, bool first_only,
                                const Visitor& visitor, Progressive_mesh& pm)
 {
-  Seed_level level = {0, record.collapses.size(), null_index, &record.refused_seeds};
+  Seed_level level = {0, record.collapses.size(), null_index, &record.refused_seeds,
+                      std::is_convertible<ConcurrencyTag, Parallel_tag>::value};
   level.vertices = pm.number_of_vertices();
   std::vector<Seed_curve> seeds;
   source(pm, level, std::back_inserter(seeds));
@@ -118,20 +121,20 @@ constexpr bool has_seed_detection =
     !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_detection_t>::value;
 
 // The seeds of the source that the named parameters ask for.
-template <class NamedParameters, class Visitor>
+template <class ConcurrencyTag, class NamedParameters, class Visitor>
 std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedParameters& np, bool first_only,
                                    const Visitor& visitor, Progressive_mesh& pm)
 {
   using CGAL::parameters::get_parameter;
   if constexpr(has_seed_sources<NamedParameters>)
-    return replay(record, get_parameter(np, internal_np::seed_sources), first_only, visitor, pm);
+    return replay<ConcurrencyTag>(record, get_parameter(np, internal_np::seed_sources), first_only, visitor, pm);
   else if constexpr(has_seed_detection<NamedParameters>)
     return get_parameter(np, internal_np::seed_detection) == Seed_detection::ON_APPEARANCE
-               ? replay(record, Non_face_triangle_seeds(), first_only, visitor, pm)
-               : replay(record, Refused_collapse_seeds(), first_only, visitor, pm);
+               ? replay<ConcurrencyTag>(record, Non_face_triangle_seeds(), first_only, visitor, pm)
+               : replay<ConcurrencyTag>(record, Refused_collapse_seeds(), first_only, visitor, pm);
   else
-    return first_only ? replay(record, Non_face_triangle_seeds(), first_only, visitor, pm)
-                      : replay(record, Default_seed_sources(), first_only, visitor, pm);
+    return first_only ? replay<ConcurrencyTag>(record, Non_face_triangle_seeds(), first_only, visitor, pm)
+                      : replay<ConcurrencyTag>(record, Default_seed_sources(), first_only, visitor, pm);
 }
 
 // The simplification policies that the named parameters ask for, in a tuple.
@@ -199,7 +202,7 @@ Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, cons
   visitor.on_stage_begin(Detection_stage::SEEDS, record.collapses.size());
   Progressive_mesh pm = is_last ? Progressive_mesh(std::move(imported.table), std::move(imported.points))
                                 : Progressive_mesh(imported.table, imported.points);
-  const std::vector<Seed_curve> seeds = find_seeds(record, np, first_only, visitor, pm);
+  const std::vector<Seed_curve> seeds = find_seeds<ConcurrencyTag>(record, np, first_only, visitor, pm);
   pm.go_to_level(pm.level_with(prominence_vertices));
   if(!coarse && pm.level() > 0)
     coarse.emplace(pm);

@@ -151,12 +151,12 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Lev
     }
     if(end != null_index && std::abs(network.length(end) / lengths[i] - 1) <= coarse_length_tolerance)
     {
-      const std::vector<Arc> arcs = arcs_of_curve(network, end);
-      if(is_simple(surface, arcs))
+      std::vector<Trace_point> points = trace(surface, arcs_of_curve(network, end));
+      if(is_simple(surface, points))
       {
         first_in_network.emplace(end, i);
         curves.push_back(i);
-        on_coarse.push_back(trace(surface, arcs));
+        on_coarse.push_back(std::move(points));
         continue;
       }
     }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CURVES_ASKED_FOR_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CURVES_ASKED_FOR_H
+
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Group.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
+
+#include <CGAL/for_each.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Of the closed geodesics of a level the ones that may be asked for, as far as this level tells: those of no greater
+// isoperimetric ratio and no less prominence, which do not cross others if these are not to. Curves that are not simple
+// here may be on a finer level. Ascending. Cost: that of the areas and prominences.
+template <class ConcurrencyTag>
+std::vector<Index> curves_asked_for(const Curve_network& network, double maximum_isoperimetric_ratio,
+                                    double minimum_prominence, bool with_crossing)
+{
+  const Progressive_mesh& pm = network.surface();
+  std::vector<Index> all, result, simple;
+  for(Index c = 0; c < network.number_of_curve_ids(); ++c)
+    if(!network.is_empty(c))
+      all.push_back(c);
+  const bool any_ratio = maximum_isoperimetric_ratio == (std::numeric_limits<double>::infinity)();
+  if(any_ratio && minimum_prominence <= 0)
+    return all;
+
+  // The curves of a group that are asked for if they are simple ones with enough prominence, and of the simple ones the
+  // traces.
+  struct Candidates
+  {
+    std::vector<Index> simple, not_simple;
+    std::vector<std::vector<Trace_point> > traces;
+  };
+  const Surface_sides sides(pm);
+  auto groups = make_groups<Candidates>(all.size(), 128);
+  CGAL::for_each<ConcurrencyTag>(groups, [&](Group<Candidates>& group) {
+    for(std::size_t i = group.begin; i < group.end; ++i)
+    {
+      std::vector<Trace_point> points = trace(pm, arcs_of_curve(network, all[i]));
+      if(!is_simple(pm, points))
+      {
+        group.result.not_simple.push_back(all[i]);
+        continue;
+      }
+      const Parting parting = sides.part(points);
+      if(parting.is_separating() &&
+         isoperimetric_ratio(network.length(all[i]), parting.areas) > maximum_isoperimetric_ratio)
+        continue;
+      group.result.simple.push_back(all[i]);
+      group.result.traces.push_back(std::move(points));
+    }
+    return true;
+  });
+  std::vector<std::vector<Trace_point> > traces;
+  for(Group<Candidates>& group : groups)
+  {
+    result.insert(result.end(), group.result.not_simple.begin(), group.result.not_simple.end());
+    simple.insert(simple.end(), group.result.simple.begin(), group.result.simple.end());
+    std::move(group.result.traces.begin(), group.result.traces.end(), std::back_inserter(traces));
+  }
+  if(minimum_prominence <= 0)
+    result.insert(result.end(), simple.begin(), simple.end());
+  else
+  {
+    const std::vector<Prominence> p = prominences(pm, traces, with_crossing);
+    for(std::size_t i = 0; i < simple.size(); ++i)
+      if(p[i].value >= minimum_prominence)
+        result.push_back(simple[i]);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CURVES_ASKED_FOR_H
