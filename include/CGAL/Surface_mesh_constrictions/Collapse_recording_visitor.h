@@ -6,9 +6,10 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/non_face_triangles.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <set>
 #include <vector>
 

@@ -9,6 +9,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>

@@ -6,12 +6,12 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <utility>

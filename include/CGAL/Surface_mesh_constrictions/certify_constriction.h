@@ -11,7 +11,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {

@@ -6,21 +6,29 @@
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/carry_seeds_to_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/found_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <tuple>
 #include <type_traits>

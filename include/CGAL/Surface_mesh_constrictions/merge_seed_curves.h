@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <unordered_map>

@@ -10,7 +10,6 @@
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,21 +7,22 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/check_loop.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cstddef>
 #include <iterator>
-#include <string>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>

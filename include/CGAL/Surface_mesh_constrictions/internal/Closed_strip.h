@@ -2,11 +2,14 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CLOSED_STRIP_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CLOSED_STRIP_H
 
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
+#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

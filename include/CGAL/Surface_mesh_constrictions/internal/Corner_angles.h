@@ -7,7 +7,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <vector>
 

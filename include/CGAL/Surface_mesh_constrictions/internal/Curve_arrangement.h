@@ -6,8 +6,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Arc_order.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Surface_arc.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>

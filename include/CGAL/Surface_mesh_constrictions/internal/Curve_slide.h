@@ -8,12 +8,12 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Front_start.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

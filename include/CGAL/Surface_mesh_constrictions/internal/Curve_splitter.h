@@ -11,12 +11,14 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

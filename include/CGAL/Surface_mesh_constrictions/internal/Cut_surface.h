@@ -2,7 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CUT_SURFACE_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CUT_SURFACE_H
 
-#include <CGAL/Surface_mesh_constrictions/Surface_part.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_arrangement.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Face_ring.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
@@ -10,12 +10,13 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
