@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/coarsest_first.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 
@@ -110,12 +111,7 @@ OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
       break;
   }
   for(std::size_t i = 0; i < paths.size(); ++i)
-  {
-    Closed_curve curve;
-    for(Index v : paths.path(i))
-      curve.nodes.push_back(Closed_curve::Node{v, null_index});
-    *out++ = Refined_curve{std::move(curve), stands_for[order[i]], false};
-  }
+    *out++ = Refined_curve{Closed_curve(paths.path(i)), stands_for[order[i]], false};
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
+#include <CGAL/Surface_mesh_constrictions/internal/coarsest_first.h>
 #include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten_paths.h>
@@ -23,7 +24,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -53,9 +53,9 @@ struct Merging_parameters
 /// What becomes of a seed when seeds are merged.
 enum class Merging_verdict
 {
-  KEPT,      ///< it goes on
-  POINT,     ///< it shortens to a point
-  DISCARDED, ///< what it shortens to is not asked for
+  KEPT,       ///< it goes on
+  DEGENERATE, ///< it shortens to a point
+  DISCARDED   ///< what it shortens to is not asked for
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -75,16 +75,6 @@ inline double length_of_path(const Progressive_mesh& pm, const std::vector<Index
   for(std::size_t i = 0; i < path.size(); ++i)
     sum += norm(vector(pm.point(path[i]), pm.point(path[(i + 1) % path.size()])));
   return sum;
-}
-
-// The numbers of the seeds, from the coarsest level to the finest.
-inline std::vector<std::size_t> coarsest_first(const std::vector<Seed_curve>& seeds)
-{
-  std::vector<std::size_t> order(seeds.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&seeds](std::size_t a, std::size_t b) { return seeds[a].level > seeds[b].level; });
-  return order;
 }
 
 // Of those closed geodesics of a level the ones that may be asked for, as far as this level tells. Curves that are not
@@ -207,7 +197,7 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   };
   internal::Curve_network network(level_copy.surface(), false);
   for(std::size_t i : internal::tighten_paths<ConcurrencyTag>(paths.size(), path_on_copy, network))
-    give_up(i, Merging_verdict::POINT);
+    give_up(i, Merging_verdict::DEGENERATE);
 
   const std::vector<Index> asked = internal::curves_asked_for(network, parameters);
   for(Index c = 0; c < network.number_of_curve_ids(); ++c)
