@@ -52,7 +52,6 @@ private:
   };
 
 public:
-
   /// The elements that a vertex split put in, or a collapse took out: the edge from `removed` to `kept` and the two
   /// faces at it. `left` is the halfedge from `removed` to `kept`, `right` its opposite; each is the first of its face.
   struct Split
@@ -164,10 +163,6 @@ public:
     while(m_level > k)
       split();
   }
-
-  /// what the next `collapse()` will take out.
-  /// \pre `level() < number_of_collapses()`
-  Split next_collapse() const { return split_of(m_records[m_level]); }
 
   /// what the next `split()` will put in.
   /// \pre `level() > 0`

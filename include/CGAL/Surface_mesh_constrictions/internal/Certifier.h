@@ -30,7 +30,6 @@ struct Finding
   explicit Finding(Certificate_verdict verdict, std::size_t arc = 0) : arc(arc) { certificate.verdict = verdict; }
 };
 
-
 // Checks the conditions of Proposition 9 of the paper exactly, and tells strict constrictions, flat bands that hold and
 // flat bands that leak.
 template <class Surface>

@@ -137,7 +137,6 @@ private:
   {
     const double width = norm(vector(m_pm.point(m_pm.source(m_strip[0])), m_pm.point(m_pm.target(m_strip[0]))));
     Portal portal = {{0, width}, {0, 0}};
-    m_theta = 0;
     for(std::size_t i = 0; i < m_strip.size(); ++i)
     {
       m_portals.push_back(portal);

@@ -51,9 +51,7 @@ public:
       }
     for(Index h : sweep.crossings(a))
       reached = reached && collect_face(sweep, m_pm.face(h)) && collect_face(sweep, m_pm.face(m_pm.opposite(h)));
-    if(!reached)
-      return (std::numeric_limits<double>::infinity)();
-    if(!measure_distances(trace))
+    if(!reached || !measure_distances(trace))
       return (std::numeric_limits<double>::infinity)();
 
     std::array<double, samples> lengths;
