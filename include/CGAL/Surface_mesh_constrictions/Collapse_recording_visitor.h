@@ -33,7 +33,7 @@ struct Collapse_record
 ///
 /// \cgalModels{EdgeCollapseSimplificationVisitor}
 ///
-/// \tparam VertexIndexMap readable map from the vertices of the simplified mesh to integers that name them in the record
+/// \tparam VertexIndexMap readable map from vertices of the simplified mesh to integers that name them in the record
 template <class VertexIndexMap>
 class Collapse_recording_visitor
 {

@@ -43,9 +43,9 @@ struct Merging_parameters
   double maximum_isoperimetric_ratio = (std::numeric_limits<double>::infinity)();
   /// the least prominence of a copy among the others, see `compute_prominences()`; 0 or less for any
   double minimum_prominence = 0;
-  /// whether, if a prominence is asked for, copies are kept that cross many shorter ones there and back, or are composed
-  /// of shorter ones, see `parameters::crossing_constrictions()`: where many bumps stand side by side there are
-  /// thousands of them
+  /// whether, if a prominence is asked for, copies are kept that cross many shorter ones there and back, or are
+  /// composed of shorter ones, see `parameters::crossing_constrictions()`: where many bumps stand side by side there
+  /// are thousands of them
   bool crossing = true;
 };
 
@@ -121,8 +121,9 @@ inline std::vector<Index> curves_asked_for(const Curve_network& network, const M
   return result;
 }
 
-// Carries seeds, in an order from the coarsest level, to a level as paths of edges, each path once. Those of finer levels
-// stay where they are: the number of the others is written to `number_carried`. The surface is at the level afterwards.
+// Carries seeds, in an order from the coarsest level, to a level as paths of edges, each path once. Those of finer
+// levels stay where they are: the number of the others is written to `number_carried`. The surface is at the level
+// afterwards.
 inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,
                                                const std::vector<std::size_t>& order, std::size_t level,
                                                std::size_t& number_carried)
@@ -155,11 +156,11 @@ inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// merges seed curves early, on a coarse level where that is cheap, and discards those that lead nowhere.
 ///
-/// The seeds of coarser levels are carried to the given level as paths of edges. A copy of each seed is tightened there.
-/// Seeds whose copies shorten to a point are given up; so are those whose copies are not asked for. Of the seeds whose
-/// copies become equal only some are kept, from the shortest to the longest at equal steps; each of the others is handed
-/// to the one kept before it. What is kept is not tightened, unless that is asked for: a curve that is tight on a coarse
-/// level often lies where it slips off later on.
+/// The seeds of coarser levels are carried to the given level as paths of edges. A copy of each seed is tightened
+/// there. Seeds whose copies shorten to a point are given up; so are those whose copies are not asked for. Of the seeds
+/// whose copies become equal only some are kept, from the shortest to the longest at equal steps; each of the others is
+/// handed to the one kept before it. What is kept is not tightened, unless that is asked for: a curve that is tight on
+/// a coarse level often lies where it slips off later on.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.

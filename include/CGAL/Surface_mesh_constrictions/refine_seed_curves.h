@@ -58,7 +58,7 @@ struct Refinement_visitor_base
 /// \param schedule whether the changed part of a curve is tightened at every level. A curve that shortens to a point on
 ///        a level is given up there. Not `UNSTRAIGHTENED`: see `carry_seed_curves()`.
 /// \param out an output iterator
-/// \param visitor told of each level and of each change of a curve
+/// \param visitor is told of each level and of each change of a curve
 /// \return the output iterator, past the last element that was written
 /// \pre `schedule != Tightening_schedule::UNSTRAIGHTENED`, and each seed is a closed path of edges of its level
 /// \cost O(degree) for each level, plus what is touched: for each curve through the star that is split, linear in the

@@ -45,8 +45,8 @@ inline Index end_halfedge(const Progressive_mesh& pm, const Arc& arc)
   return arc.is_edge() ? pm.opposite(arc.along) : pm.prev(pm.opposite(arc.crossings.back()));
 }
 
-// Computes length and angles of an arc from its combinatorics alone, so that equal arcs have bitwise equal lengths.
-// Linear in the number of crossings.
+// Computes the length and the angles of an arc from its combinatorics alone, so that equal arcs have bitwise equal
+// lengths. Linear in the number of crossings.
 inline void measure(const Progressive_mesh& pm, Arc& arc)
 {
   if(arc.is_edge())
@@ -76,8 +76,8 @@ struct Side_angles
   double left, right;
 };
 
-// Side angles between the arc that arrives at a pivot and the one that leaves it. corner(h) is the angle at source(h) in
-// the face of h. O(degree).
+// Side angles between the arc that arrives at a pivot and the one that leaves it. corner(h) is the angle at source(h)
+// in the face of h. O(degree).
 template <class Corner>
 Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing, const Corner& corner)
 {

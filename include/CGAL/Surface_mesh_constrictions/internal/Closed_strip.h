@@ -128,7 +128,8 @@ private:
       return dot(p, p);
     const double s = side == Turn::LEFT ? 1 : -1, half = m_theta / 2;
     const Vector2 d = (s / length) * Vector2{-m_translation.y, m_translation.x};
-    const Vector2 to_centre = {std::cos(half) * d.x + std::sin(half) * d.y, -std::sin(half) * d.x + std::cos(half) * d.y};
+    const Vector2 to_centre = {std::cos(half) * d.x + std::sin(half) * d.y,
+                               -std::sin(half) * d.x + std::cos(half) * d.y};
     const double curvature = s * 2 * std::sin(half) / length;
     return curvature / 2 * dot(p, p) - dot(p, to_centre);
   }

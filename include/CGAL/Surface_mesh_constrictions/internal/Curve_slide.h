@@ -26,7 +26,7 @@ namespace internal {
 class Curve_slide
 {
 public:
-  // Linear.
+  // Linear in the size of the mesh.
   Curve_slide(const Progressive_mesh& pm, const Edge_lengths& lengths)
     : m_pm(pm), m_front(pm, lengths), m_seen(pm.number_of_face_ids(), 0)
   {}

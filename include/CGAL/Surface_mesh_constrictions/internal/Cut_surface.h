@@ -39,7 +39,7 @@ public:
     bool is_forward;    // whether it runs in the direction of the arc
   };
 
-  // Linear.
+  // Linear in the size of the mesh and the number of crossings.
   template <class TriangleMesh>
   Cut_surface(const Imported_mesh<TriangleMesh>& imported, const Curve_arrangement<TriangleMesh>& arrangement)
   {
