@@ -180,7 +180,7 @@ public:
   /// the number of vertices of the current surface that are not isolated
   std::size_t number_of_vertices() const { return m_number_of_vertices - m_level; }
 
-  /// the coarsest level that has no fewer vertices than that, or the coarsest of all, or 0
+  /// the coarsest level that has no fewer vertices than that; 0 if none has
   std::size_t level_with(std::size_t vertices) const
   {
     return (std::min)(m_number_of_vertices > vertices ? m_number_of_vertices - vertices : 0, m_records.size());

@@ -49,10 +49,11 @@ namespace Surface_mesh_constrictions {
 /// \return the verdict, with the place of the first condition that is violated
 /// \throws Invalid_input if a coordinate is no rational number of moderate size, or if the curve comes to a border or
 ///         to a face that is not a triangle
-/// \cost linear in the number of crossings and in the degrees of the pivots, if intervals of doubles decide. A sign
-///       that they leave open costs, for an arc with k crossings, O(k) operations at each higher precision; a tie costs
-///       operations in a field of up to 2^m dimensions, where m is the number of square classes of the squared areas of
-///       the faces concerned.
+/// \cost if intervals of doubles decide, linear up to a logarithm in the number of crossings and in the degrees of the
+///       pivots, plus the squared number of pieces of the curve in each face, plus the faces of a flat band times the
+///       parallel copies in it that meet vertices. A sign that they leave open costs, for an arc with k crossings, O(k)
+///       operations at each higher precision; a tie costs operations in a field of up to 2^m dimensions, where m is the
+///       number of square classes of the squared areas of the faces concerned.
 ///
 /// \sa `detect_constrictions()`
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
