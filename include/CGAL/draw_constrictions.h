@@ -82,7 +82,7 @@ public:
 
 #if CGAL_VERSION_NR >= 1060000000 || defined(DOXYGEN_RUNNING)
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// adds the faces of a mesh, and its constrictions in the colour of what they choke, to a graphics scene. From CGAL 6 on.
+/// adds the faces of a mesh, and its constrictions in the colour of what they choke, to a graphics scene (CGAL 6).
 ///
 /// \param tm the mesh that the constrictions were computed on
 /// \param constrictions its constrictions
@@ -99,16 +99,18 @@ void add_to_graphics_scene(const TriangleMesh& tm,
 
 #if defined(CGAL_USE_BASIC_VIEWER) || defined(DOXYGEN_RUNNING)
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// opens a window that shows a mesh and its constrictions: in vermillion those that choke the object, in blue those that
-/// choke the space around it, in green those that do both. Returns when the window is closed.
+/// opens a window that shows a mesh and its constrictions: in vermillion those that choke the object, in blue those
+/// that choke the space around it, in green those that do both. Returns when the window is closed.
 ///
 /// Needs CGAL's viewer: link with the target `CGAL::CGAL_Basic_viewer`, which defines `CGAL_USE_BASIC_VIEWER`.
 ///
 /// \param tm the mesh that the constrictions were computed on
 /// \param constrictions its constrictions
 /// \param title of the window
+/// \cost linear in the size of the mesh and the curves
 template <class TriangleMesh>
-void draw(const TriangleMesh& tm, const std::vector<Surface_mesh_constrictions::Constriction<TriangleMesh> >& constrictions,
+void draw(const TriangleMesh& tm,
+          const std::vector<Surface_mesh_constrictions::Constriction<TriangleMesh> >& constrictions,
           const char* title = "Constrictions")
 {
 #if CGAL_VERSION_NR >= 1060000000

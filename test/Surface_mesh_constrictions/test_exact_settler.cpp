@@ -129,7 +129,7 @@ TEST(ExactSettler, AnArcThatIsNotStraightIsPulledBack)
   const Soup soup = exact_models::twisted_cylinder();
   const std::vector<Index> middle = loop_of(soup, {{{2, 0, 0}}, {{0, 2, 0}}, {{-2, 0, 0}}, {{0, -2, 0}}});
   for(std::size_t pivot = 0; pivot < 4; ++pivot)
-    for(internal::Turn side : {internal::Turn::LEFT, internal::Turn::RIGHT})
+    for(Curve_side side : {Curve_side::LEFT, Curve_side::RIGHT})
     {
       Curve curve(soup, middle);
       std::vector<internal::Arc> arcs = internal::arcs_of_curve(curve.network, curve.id);

@@ -294,7 +294,7 @@ struct StripAroundPrism : public ::testing::Test
       arc.crossings.push_back(h);
     SMC::internal::measure(*pm, arc);
     strip.assign(arc.crossings.begin(), arc.crossings.end());
-    SMC::internal::append_fan(*pm, arc, arc, SMC::internal::Turn::LEFT, strip);
+    SMC::internal::append_fan(*pm, arc, arc, SMC::Curve_side::LEFT, strip);
   }
 
   test_meshes::Soup soup;
@@ -322,8 +322,8 @@ TEST_F(StripAroundPrism, HasEachVertexOnceAsACorner)
 TEST_F(StripAroundPrism, IsAsHighAsFromTheVertexToTheUpperEnd)
 {
   const SMC::internal::Closed_strip closed(*pm, strip);
-  const auto up = closed.foremost_corner(SMC::internal::Turn::LEFT),
-             down = closed.foremost_corner(SMC::internal::Turn::RIGHT);
+  const auto up = closed.foremost_corner(SMC::Curve_side::LEFT),
+             down = closed.foremost_corner(SMC::Curve_side::RIGHT);
   EXPECT_EQ(down.vertex, vertex);
   EXPECT_NEAR(closed.height(up, down), 250, 1e-9);
   EXPECT_NEAR(closed.height(down, up), -250, 1e-9);
@@ -332,9 +332,9 @@ TEST_F(StripAroundPrism, IsAsHighAsFromTheVertexToTheUpperEnd)
 TEST_F(StripAroundPrism, BendsAroundTheNarrowerEnd)
 {
   make(0.9);
-  EXPECT_EQ(SMC::internal::Closed_strip(*pm, strip).inner_side(), SMC::internal::Turn::LEFT);
+  EXPECT_EQ(SMC::internal::Closed_strip(*pm, strip).inner_side(), SMC::Curve_side::LEFT);
   make(1.1);
-  EXPECT_EQ(SMC::internal::Closed_strip(*pm, strip).inner_side(), SMC::internal::Turn::RIGHT);
+  EXPECT_EQ(SMC::internal::Closed_strip(*pm, strip).inner_side(), SMC::Curve_side::RIGHT);
 }
 
 TEST_F(StripAroundPrism, WhatIsCrossedForthAndBackAtItsEndsIsRemoved)

@@ -6,9 +6,10 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/non_face_triangles.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <set>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct Collapse_record
 ///
 /// \cgalModels{EdgeCollapseSimplificationVisitor}
 ///
-/// \tparam VertexIndexMap readable map from the vertices of the simplified mesh to integers that name them in the record
+/// \tparam VertexIndexMap readable map from vertices of the simplified mesh to integers that name them in the record
 template <class VertexIndexMap>
 class Collapse_recording_visitor
 {

@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/floating_point_requirements.h>
 
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/Kernel_traits.h>
 

@@ -34,7 +34,7 @@ namespace Surface_mesh_constrictions {
 class Local_cut_locus_source
 {
 public:
-  /// \param vertex a vertex of T^0, numbered as it comes in `vertices(tm)`
+  /// \param vertex a vertex of T^0 that is not isolated, numbered as it comes in `vertices(tm)`
   /// \param vertices the number of vertices of the surface that the loops are looked for on
   /// \param max_roots the vertices that are nearest to the given one, along edges, are roots, so many at most
   explicit Local_cut_locus_source(Index vertex, std::size_t vertices = 1000, std::size_t max_roots = 64)

@@ -21,12 +21,7 @@ public:
   template <class FT, class Profile, class Size>
   bool operator()(const FT&, const Profile& profile, Size, Size) const
   {
-    bool found = false;
-    internal::for_each_apex_of_non_face_triangle(profile, [&found](const auto&) {
-      found = true;
-      return false;
-    });
-    return found;
+    return internal::is_on_non_face_triangle(profile);
   }
 };
 

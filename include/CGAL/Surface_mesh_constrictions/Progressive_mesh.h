@@ -9,6 +9,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -51,7 +52,6 @@ private:
   };
 
 public:
-
   /// The elements that a vertex split put in, or a collapse took out: the edge from `removed` to `kept` and the two
   /// faces at it. `left` is the halfedge from `removed` to `kept`, `right` its opposite; each is the first of its face.
   struct Split
@@ -164,10 +164,6 @@ public:
       split();
   }
 
-  /// what the next `collapse()` will take out.
-  /// \pre `level() < number_of_collapses()`
-  Split next_collapse() const { return split_of(m_records[m_level]); }
-
   /// what the next `split()` will put in.
   /// \pre `level() > 0`
   Split next_split() const { return split_of(m_records[m_level - 1]); }
@@ -184,7 +180,7 @@ public:
   /// the number of vertices of the current surface that are not isolated
   std::size_t number_of_vertices() const { return m_number_of_vertices - m_level; }
 
-  /// the coarsest level that has no fewer vertices than that, or the coarsest of all, or 0
+  /// the coarsest level that has no fewer vertices than that; 0 if none has
   std::size_t level_with(std::size_t vertices) const
   {
     return (std::min)(m_number_of_vertices > vertices ? m_number_of_vertices - vertices : 0, m_records.size());

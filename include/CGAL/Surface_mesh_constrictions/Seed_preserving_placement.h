@@ -31,12 +31,8 @@ public:
   auto operator()(const Profile& profile) const
   {
     typedef decltype(static_cast<const BasePlacement&>(*this)(profile)) Optional_point;
-    bool on_seed = false;
-    internal::for_each_apex_of_non_face_triangle(profile, [&on_seed](const auto&) {
-      on_seed = true;
-      return false;
-    });
-    return on_seed ? Optional_point() : static_cast<const BasePlacement&>(*this)(profile);
+    return internal::is_on_non_face_triangle(profile) ? Optional_point()
+                                                      : static_cast<const BasePlacement&>(*this)(profile);
   }
 };
 

@@ -6,12 +6,13 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/coarsest_first.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -21,12 +22,13 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// On which surfaces `carry_seed_curves()` merges and tightens, and what it keeps there. A surface is given by its number
-/// of vertices; on meshes with fewer vertices it is the input.
+/// On which surfaces `carry_seed_curves()` merges and tightens, and what it keeps there. A surface is given by its
+/// number of vertices; on meshes with fewer vertices it is the input.
 struct Carrying_parameters
 {
   std::size_t merging_vertices = 1000; ///< where seeds are merged
-  /// what is kept there, and, but for `kept` and `minimum_prominence`, where curves are tightened: few are left to measure
+  /// what is kept there. Where curves are tightened, one is kept of those that become equal, whatever its prominence:
+  /// few are left to measure it among.
   Merging_parameters merging;
   /// the coarsest surface on which curves are tightened, moved to edges, and merged again
   std::size_t tightening_vertices = 16384;
@@ -50,9 +52,9 @@ struct Carrying_parameters
 /// \param seeds the seeds, on any levels, in any order
 /// \param parameters the levels to tighten on, and what is kept
 /// \param out an output iterator; curves that `is_discarded` or that shortened to a point are written without nodes
-/// \param visitor told of levels only
+/// \param visitor is told of levels only
 /// \return the output iterator, past the last element that was written
-/// \pre `parameters.tightening_factor > 1`
+/// \pre `parameters.merging.kept > 0`, `parameters.tightening_vertices > 0` and `parameters.tightening_factor > 1`
 /// \cost O(degree) for each level and for each vertex split on a path, plus that of `merge_seed_curves()`
 template <class ConcurrencyTag = Sequential_tag, class OutputIterator, class Visitor>
 OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,
@@ -110,12 +112,7 @@ OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
       break;
   }
   for(std::size_t i = 0; i < paths.size(); ++i)
-  {
-    Closed_curve curve;
-    for(Index v : paths.path(i))
-      curve.nodes.push_back(Closed_curve::Node{v, null_index});
-    *out++ = Refined_curve{std::move(curve), stands_for[order[i]], false};
-  }
+    *out++ = Refined_curve{Closed_curve(paths.path(i)), stands_for[order[i]], false};
   return out;
 }
 

@@ -11,7 +11,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
@@ -19,13 +19,14 @@ namespace Surface_mesh_constrictions {
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// decides with exact arithmetic whether a closed curve is a constriction.
 ///
-/// What is examined is the combinatorial curve: the pivots and the crossed halfedges of `curve.locations()`. The rounded
-/// parameters of the crossings, and everything else that `curve` holds, are not looked at. The points of the mesh are
-/// taken as the exact numbers that they are. The conditions are, in this order: consecutive locations fit together;
-/// each arc between two pivots is straight in its unfolded strip and crosses the inside of each edge; both side angles
-/// at each pivot are at least pi; the curve neither crosses nor touches itself; and if all angles on one side are equal
-/// to pi, the flat band on that side holds at its end. There is no tolerance: see the section on certificates in the
-/// user manual for the proof that these conditions suffice, and for the way in which signs are decided.
+/// What is examined is the combinatorial curve: the pivots and the crossed halfedges of `curve.locations()`. The
+/// rounded parameters of the crossings, and everything else that `curve` holds, are not looked at. The points of the
+/// mesh are taken as the exact numbers that they are. The conditions are, in this order: consecutive locations fit
+/// together; each arc between two pivots is straight in its unfolded strip and crosses the inside of each edge; both
+/// side angles at each pivot are at least pi; the curve neither crosses nor touches itself (Proposition 9 of the
+/// paper); and if all angles on one side are equal to pi, the flat band on that side holds at its end. There is no
+/// tolerance: see the section on certificates in the user manual for the proof that these conditions suffice, and for
+/// the way in which signs are decided.
 ///
 /// A curve without pivots is examined through the parallel copy of it that passes through vertices on its right.
 ///
@@ -48,10 +49,11 @@ namespace Surface_mesh_constrictions {
 /// \return the verdict, with the place of the first condition that is violated
 /// \throws Invalid_input if a coordinate is no rational number of moderate size, or if the curve comes to a border or
 ///         to a face that is not a triangle
-/// \cost linear in the number of crossings and in the degrees of the pivots, if intervals of doubles decide. A sign that
-///       they leave open costs, for an arc with k crossings, O(k) operations at each higher precision; a tie costs
-///       operations in a field of up to 2^m dimensions, where m is the number of square classes of the squared areas of
-///       the faces concerned.
+/// \cost if intervals of doubles decide, linear up to a logarithm in the number of crossings and in the degrees of the
+///       pivots, plus the squared number of pieces of the curve in each face, plus the faces of a flat band times the
+///       parallel copies in it that meet vertices. A sign that they leave open costs, for an arc with k crossings, O(k)
+///       operations at each higher precision; a tie costs operations in a field of up to 2^m dimensions, where m is the
+///       number of square classes of the squared areas of the faces concerned.
 ///
 /// \sa `detect_constrictions()`
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -23,12 +23,12 @@ namespace Surface_mesh_constrictions {
 ///
 /// Take the shortest paths along edges from `root` to all vertices. An edge is on the cut locus of `root` if its two
 /// ends are reached through different neighbours of `root`; it closes a loop, from `root` to its one end, along it, and
-/// back. Two edges of a face that are on the cut locus follow each other along it. The loop is written if none of the next
-/// two edges along the cut locus, whichever way, closes a shorter one, unless it bounds a face. Edges of length zero are
-/// allowed.
+/// back. Two edges of a face that are on the cut locus follow each other along it. The loop is written if none of the
+/// next two edges along the cut locus, whichever way, closes a shorter one, unless it bounds a face. Edges of length
+/// zero are allowed.
 ///
-/// The loops are geodesic but for the resolution of the edges everywhere but at `root` and at the edge that closes them.
-/// They are a source of seed curves for the question of the paper's Section 6, how to find all constrictions.
+/// The loops are geodesic but for the resolution of the edges everywhere but at `root` and at the edge that closes
+/// them. They are a source of seed curves for the question of the paper's Section 6, how to find all constrictions.
 ///
 /// \param pm the surface; unchanged
 /// \param root a vertex of it
@@ -59,12 +59,12 @@ OutputIterator cut_locus_seeds_at_vertex(const Progressive_mesh& pm, Index root,
 ///
 /// \param pm the surface; unchanged
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
-/// \param max_roots the vertices of the surface, in the order of their ids, are roots, or each second, each third and so
-///        on, so that there are no more than this
+/// \param max_roots the vertices of the surface, in the order of their ids, are roots, or each second, each third and
+///        so on, so that there are no more than this
 /// \return the output iterator, past the last element that was written
 /// \pre `max_roots > 0`
-/// \cost O(size of T^0) for the ids, plus O(n log n) for each root, n being the vertices of the current surface, plus the
-///       output. Meant for coarse levels.
+/// \cost O(size of T^0) for the ids, plus O(n log n) for each root, n being the vertices of the current surface, plus
+///       the output. Meant for coarse levels.
 template <class ConcurrencyTag = Sequential_tag, class OutputIterator>
 OutputIterator cut_locus_seeds(const Progressive_mesh& pm, OutputIterator out,
                                std::size_t max_roots = (std::numeric_limits<std::size_t>::max)())

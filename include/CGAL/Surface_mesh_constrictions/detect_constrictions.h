@@ -6,21 +6,29 @@
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/carry_seeds_to_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/found_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <tuple>
 #include <type_traits>
@@ -76,19 +84,19 @@ namespace Surface_mesh_constrictions {
 ///     \cgalParamDefault{`GarlandHeckbert_plane_policies`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{simplification_policies}
-///     \cgalParamDescription{the cost and the placement of edge collapses; if several are given, the mesh is simplified with
-///                           each of them, and seeds of all are followed. Not together with `get_cost`.}
+///     \cgalParamDescription{the cost and the placement of edge collapses; if several are given, the mesh is simplified
+///                           with each of them, and seeds of all are followed. Not together with `get_cost`.}
 ///     \cgalParamType{a model of `ConstrictionSimplificationPolicies`, or a `std::tuple` of several}
 ///     \cgalParamDefault{`Garland_heckbert_policies`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{seed_sources}
 ///     \cgalParamDescription{where the seed curves come from}
 ///     \cgalParamType{a model of `ConstrictionSeedSource`; several are one, `Seed_sources`}
-///     \cgalParamDefault{`Default_seed_sources`}
+///     \cgalParamDefault{`Default_seed_sources`, or `Non_face_triangle_seeds` with `first_constriction_only`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{seed_detection}
-///     \cgalParamDescription{asks for non-face triangles only, as in the paper, and when they are noticed; not looked at
-///                           if `seed_sources` is given}
+///     \cgalParamDescription{asks for non-face triangles only, as in the paper, and when they are noticed; not looked
+///                           at if `seed_sources` is given}
 ///     \cgalParamType{`Seed_detection`}
 ///     \cgalParamDefault{unset}
 ///   \cgalParamNEnd
@@ -100,8 +108,8 @@ namespace Surface_mesh_constrictions {
 ///                       `Tightening_schedule::UNSTRAIGHTENED`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
-///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has led
-///                           it astray. Then only curves with a certificate are returned.}
+///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has
+///                           led it astray. Then only curves with a certificate are returned.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
@@ -145,14 +153,16 @@ namespace Surface_mesh_constrictions {
 /// \cgalNamedParamsEnd
 ///
 /// Those from `simplification_policies` to `all_constrictions` are functions of
-/// `CGAL::Surface_mesh_constrictions::parameters`: see \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
+/// `CGAL::Surface_mesh_constrictions::parameters`: see
+/// \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
 ///
 /// \return the output iterator, past the last constriction
-/// \throws Invalid_input for a mesh that cannot be used; it says what is wrong and where
+/// \throws Invalid_input for a mesh that cannot be used, and, with `certify`, for a coordinate that is no rational
+///         number of moderate size; it says what is wrong and where
 /// \throws whatever the visitor throws; `tm` is as before then, and nothing has been written
 /// \cost that of the simplification, O(n log n) for n faces, plus that of the seed sources, plus that of
-///       `carry_seed_curves()`, or `refine_seed_curves()` if a `tightening_schedule` asks for it, plus for each curve that is
-///       left on the input linear in the lengths of the strips that it is led through, plus that of
+///       `carry_seed_curves()`, or `refine_seed_curves()` if a `tightening_schedule` asks for it, plus for each curve
+///       that is left on the input linear in the lengths of the strips that it is led through, plus that of
 ///       `certify_constriction()` and `compute_prominences()`. Memory: O(n), plus the seed curves.
 ///
 /// \sa `tighten_closed_curve()`
@@ -240,8 +250,9 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   visitor.on_stage_end(Detection_stage::CERTIFICATION);
 
   visitor.on_stage_begin(Detection_stage::SELECTION, constrictions.size());
-  internal::set_prominences(
-      pm, traces, coarse ? internal::prominences(pm, *coarse, traces) : internal::prominences(pm, traces), constrictions);
+  internal::set_prominences(pm, traces,
+                            coarse ? internal::prominences(pm, *coarse, traces) : internal::prominences(pm, traces),
+                            constrictions);
   select_by_prominence(constrictions, std::back_inserter(selected), np);
   statistics.not_selected += constrictions.size() - selected.size();
   visitor.on_stage_end(Detection_stage::SELECTION);

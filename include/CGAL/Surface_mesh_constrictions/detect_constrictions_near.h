@@ -12,6 +12,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,11 +44,11 @@ struct Statistics_keeper
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// finds the constrictions near a location: "the loop around this arm".
 ///
-/// It is `detect_constrictions()` with seeds that pass through the location: the loops of `Local_cut_locus_source` at the
-/// vertex of `tm` that is nearest to `location`. The constrictions that the seeds lead to are written in the order of
-/// \f$d (1 + d/L) + L/10\f$, where \f$L\f$ is the length and \f$d\f$ the distance in space from the location, less the
-/// width of the flat band if there is one: the nearest first, but of two that are about as near the shorter one, and one
-/// that is several times its length away late.
+/// It is `detect_constrictions()` with seeds that pass through the location: the loops of `Local_cut_locus_source` at
+/// the vertex of `tm` that is nearest to `location`. The constrictions that the seeds lead to are written in the order
+/// of \f$d (1 + d/L) + L/10\f$, where \f$L\f$ is the length and \f$d\f$ the distance in space from the location, less
+/// the width of the flat band if there is one: the nearest first, but of two that are about as near the shorter one,
+/// and one that is several times its length away late.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.
@@ -82,7 +83,8 @@ struct Statistics_keeper
 /// \cgalNamedParamsEnd
 ///
 /// \return the output iterator, past the last constriction
-/// \throws Invalid_input for a mesh that cannot be used, and for a location with a coordinate that is no finite number
+/// \throws Invalid_input as `detect_constrictions()`, and for a location with a coordinate that is no finite number
+/// \throws whatever the visitor throws; nothing has been written then
 /// \cost that of `detect_constrictions()` with the seeds of 64 roots: hardly more than that of the simplification
 ///
 /// \sa `detect_constrictions()`
@@ -105,7 +107,8 @@ OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& lo
   const internal::Query_location<TriangleMesh, std::decay_t<decltype(vpm)> > query(tm, vpm, location);
   typedef internal::Statistics_keeper<std::decay_t<decltype(visitor)> > Keeper;
   Detection_statistics statistics;
-  const Named_function_parameters<Keeper, internal_np::visitor_t, NamedParameters> kept(Keeper{visitor, statistics}, np);
+  const Named_function_parameters<Keeper, internal_np::visitor_t, NamedParameters> kept(
+      Keeper{visitor, statistics}, np);
   const auto selection = parameters::minimum_prominence(
       minimum_prominence, parameters::maximum_number_of_constrictions(no_limit, kept));
   std::vector<Constriction<TriangleMesh> > found;

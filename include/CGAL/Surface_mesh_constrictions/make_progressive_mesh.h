@@ -20,8 +20,8 @@ namespace Surface_mesh_constrictions {
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm the mesh before the first collapse, closed; unchanged. Vertex `i` of the progressive mesh is the `i`-th one
-///        of `vertices(tm)`, face `i` the `i`-th one of `faces(tm)`.
+/// \param tm the mesh before the first collapse, closed; unchanged. Vertex `i` of the progressive mesh is the `i`-th
+///        one of `vertices(tm)`, face `i` the `i`-th one of `faces(tm)`.
 /// \param collapses the record of a `Collapse_recording_visitor`, in these vertex numbers
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -49,9 +49,9 @@ Progressive_mesh make_progressive_mesh(const TriangleMesh& tm, const std::vector
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  internal::Imported_mesh<TriangleMesh> imported(
-      tm, choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm)),
-      CGAL::get_initialized_vertex_index_map(tm, np));
+  const auto vpm =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
+  internal::Imported_mesh<TriangleMesh> imported(tm, vpm, CGAL::get_initialized_vertex_index_map(tm, np));
   Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
   pm.reserve(collapses.size());
   for(const Edge_collapse& c : collapses)

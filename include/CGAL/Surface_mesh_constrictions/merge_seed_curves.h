@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
+#include <CGAL/Surface_mesh_constrictions/internal/coarsest_first.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten_paths.h>
@@ -21,9 +22,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <limits>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -43,9 +42,9 @@ struct Merging_parameters
   double maximum_isoperimetric_ratio = (std::numeric_limits<double>::infinity)();
   /// the least prominence of a copy among the others, see `compute_prominences()`; 0 or less for any
   double minimum_prominence = 0;
-  /// whether, if a prominence is asked for, copies are kept that cross many shorter ones there and back, or are composed
-  /// of shorter ones, see `parameters::crossing_constrictions()`: where many bumps stand side by side there are
-  /// thousands of them
+  /// whether, if a prominence is asked for, copies are kept that cross many shorter ones there and back, or are
+  /// composed of shorter ones, see `parameters::crossing_constrictions()`: where many bumps stand side by side there
+  /// are thousands of them
   bool crossing = true;
 };
 
@@ -53,9 +52,9 @@ struct Merging_parameters
 /// What becomes of a seed when seeds are merged.
 enum class Merging_verdict
 {
-  KEPT,      ///< it goes on
-  POINT,     ///< it shortens to a point
-  DISCARDED, ///< what it shortens to is not asked for
+  KEPT,       ///< it goes on
+  DEGENERATE, ///< it shortens to a point
+  DISCARDED   ///< what it shortens to is not asked for
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -77,18 +76,9 @@ inline double length_of_path(const Progressive_mesh& pm, const std::vector<Index
   return sum;
 }
 
-// The numbers of the seeds, from the coarsest level to the finest.
-inline std::vector<std::size_t> coarsest_first(const std::vector<Seed_curve>& seeds)
-{
-  std::vector<std::size_t> order(seeds.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&seeds](std::size_t a, std::size_t b) { return seeds[a].level > seeds[b].level; });
-  return order;
-}
-
-// Carries seeds, in an order from the coarsest level, to a level as paths of edges, each path once. Those of finer levels
-// stay where they are: the number of the others is written to `number_carried`. The surface is at the level afterwards.
+// Carries seeds, in an order from the coarsest level, to a level as paths of edges, each path once. Those of finer
+// levels stay where they are: the number of the others is written to `number_carried`. The surface is at the level
+// afterwards.
 inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,
                                                const std::vector<std::size_t>& order, std::size_t level,
                                                std::size_t& number_carried)
@@ -121,11 +111,11 @@ inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// merges seed curves early, on a coarse level where that is cheap, and discards those that lead nowhere.
 ///
-/// The seeds of coarser levels are carried to the given level as paths of edges. A copy of each seed is tightened there.
-/// Seeds whose copies shorten to a point are given up; so are those whose copies are not asked for. Of the seeds whose
-/// copies become equal only some are kept, from the shortest to the longest at equal steps; each of the others is handed
-/// to the one kept before it. What is kept is not tightened, unless that is asked for: a curve that is tight on a coarse
-/// level often lies where it slips off later on.
+/// The seeds of coarser levels are carried to the given level as paths of edges. A copy of each seed is tightened
+/// there. Seeds whose copies shorten to a point are given up; so are those whose copies are not asked for. Of the seeds
+/// whose copies become equal only some are kept, from the shortest to the longest at equal steps; each of the others is
+/// handed to the one kept before it. What is kept is not tightened, unless that is asked for: a curve that is tight on
+/// a coarse level often lies where it slips off later on.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.
@@ -163,7 +153,7 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   };
   internal::Curve_network network(level_copy.surface(), false);
   for(std::size_t i : internal::tighten_paths<ConcurrencyTag>(paths.size(), path_on_copy, network))
-    give_up(i, Merging_verdict::POINT);
+    give_up(i, Merging_verdict::DEGENERATE);
 
   const std::vector<Index> asked = internal::curves_asked_for<ConcurrencyTag>(
       network, parameters.maximum_isoperimetric_ratio, parameters.minimum_prominence, parameters.crossing);

@@ -54,7 +54,7 @@ OutputIterator non_face_triangles(const Progressive_mesh& pm, OutputIterator out
 }
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// writes the non-face triangles at a vertex (after a collapse, the vertex that it has merged: Section 4.1 of the paper).
+/// writes the non-face triangles at a vertex, as at the one that a collapse has merged (Section 4.1 of the paper).
 ///
 /// \param pm the surface; unchanged
 /// \param v a vertex of it

@@ -21,7 +21,7 @@ enum class Tightening_schedule
 {
   EVERY_LEVEL,   ///< after every vertex split that touches it, and on the input
   AT_THE_END,    ///< on the input only; between its pivots it is straightened after every vertex split that touches it
-  UNSTRAIGHTENED ///< carried as a path of edges as far as `carry_seed_curves()` tells, and tightened there and on the input
+  UNSTRAIGHTENED ///< carried as a path of edges as far as `carry_seed_curves()` tells, tightened there and on the input
 };
 
 } // namespace Surface_mesh_constrictions
@@ -72,13 +72,14 @@ namespace parameters {
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_detection)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
-/// Where seed curves come from. Type: a model of `ConstrictionSeedSource`. Default: `Default_seed_sources`.
+/// Where seed curves come from. Type: a model of `ConstrictionSeedSource`. Default: `Default_seed_sources`, or
+/// `Non_face_triangle_seeds` with `first_constriction_only`.
 /// Of `detect_constrictions()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_sources)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
-/// Cost and placement of edge collapses. Type: a model of `ConstrictionSimplificationPolicies`, or a `std::tuple` of several:
-/// then the mesh is simplified with each of them. Default: `Garland_heckbert_policies`.
+/// Cost and placement of edge collapses. Type: a model of `ConstrictionSimplificationPolicies`, or a `std::tuple` of
+/// several: then the mesh is simplified with each of them. Default: `Garland_heckbert_policies`.
 /// Of `detect_constrictions()` and `detect_constrictions_near()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(simplification_policies)
 
@@ -106,8 +107,8 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certify)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_prominence)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
-/// The ratio \f$L^2/(4 \pi A)\f$ that a separating constriction has at most, to be selected. Type: `double`. Default: 0.25.
-/// Of the detections and the selections.
+/// The ratio \f$L^2/(4 \pi A)\f$ that a separating constriction has at most, to be selected. Type: `double`.
+/// Default: 0.25. Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_isoperimetric_ratio)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters

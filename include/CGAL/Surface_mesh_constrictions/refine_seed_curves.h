@@ -10,23 +10,22 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Refinement.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/coarsest_first.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// A curve on T^0 that `refine_seed_curves()` has carried through the levels.
+/// A curve on T^0 that `refine_seed_curves()` or `carry_seed_curves()` has carried through the levels.
 struct Refined_curve
 {
-  Closed_curve curve;             ///< empty if the seeds shortened to a point on the way
+  Closed_curve curve;             ///< empty if the seeds shortened to a point on the way, or were given up
   std::vector<std::size_t> seeds; ///< numbers of the seeds that led to it, the first to arrive first
   bool is_discarded = false;      ///< whether it was given up on the way without shortening to a point
 };
@@ -59,7 +58,7 @@ struct Refinement_visitor_base
 /// \param schedule whether the changed part of a curve is tightened at every level. A curve that shortens to a point on
 ///        a level is given up there. Not `UNSTRAIGHTENED`: see `carry_seed_curves()`.
 /// \param out an output iterator
-/// \param visitor told of each level and of each change of a curve
+/// \param visitor is told of each level and of each change of a curve
 /// \return the output iterator, past the last element that was written
 /// \pre `schedule != Tightening_schedule::UNSTRAIGHTENED`, and each seed is a closed path of edges of its level
 /// \cost O(degree) for each level, plus what is touched: for each curve through the star that is split, linear in the
@@ -69,16 +68,11 @@ OutputIterator refine_seed_curves(Progressive_mesh& pm, const std::vector<Seed_c
                                   Tightening_schedule schedule, OutputIterator out, Visitor& visitor)
 {
   CGAL_precondition(schedule != Tightening_schedule::UNSTRAIGHTENED);
-  typedef internal::Curve_network Network;
   const bool every_level = schedule == Tightening_schedule::EVERY_LEVEL;
 
-  std::vector<std::size_t> order(seeds.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&seeds](std::size_t a, std::size_t b) { return seeds[a].level > seeds[b].level; });
-
+  const std::vector<std::size_t> order = internal::coarsest_first(seeds);
   const internal::Length_unit unit(pm);
-  Network network(pm, true);
+  internal::Curve_network network(pm, true);
   internal::Tightener tightener(network, unit);
   internal::Refinement refinement(pm, network, unit);
   internal::Distinct_curves distinct(network);

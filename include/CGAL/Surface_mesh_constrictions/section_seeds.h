@@ -44,9 +44,9 @@ OutputIterator write_sections(const Progressive_mesh& pm, const Edge_graph& grap
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// writes the sections of the current surface by parallel planes, as closed paths of edges: the boundary loops of the
-/// faces that lie on one side of the plane with all their vertices. Each loop once; of loops of neighbouring planes that
-/// follow each other along a tube only those beside which the section is no longer than beside their neighbours, and those
-/// of each seventh plane.
+/// faces that lie on one side of the plane with all their vertices. Each loop once; of loops of neighbouring planes
+/// that follow each other along a tube only those beside which the section is no longer than beside their neighbours,
+/// and those of each seventh plane.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.
@@ -56,7 +56,8 @@ OutputIterator write_sections(const Progressive_mesh& pm, const Edge_graph& grap
 /// \param directions number of normals of the planes, spread evenly over a hemisphere
 /// \param planes number of planes for each normal, at equal distances from one end of the surface to the other
 /// \return the output iterator, past the last element that was written
-/// \cost O(size of T^0) for the ids, plus O(n) for each plane, n being the faces of the current surface, plus the output
+/// \cost O(size of T^0) for the ids, plus O(n) for each plane, n being the faces of the current surface, plus the
+///       output
 template <class ConcurrencyTag = Sequential_tag, class OutputIterator>
 OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator out, std::size_t directions = 80,
                                    std::size_t planes = 56)
@@ -90,7 +91,8 @@ OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator ou
 /// \param vertices number of the vertices, each as far as possible from those before it
 /// \param sections number of level sets for each pair, at equal distances from the least value to the greatest
 /// \return the output iterator, past the last element that was written
-/// \cost O(size of T^0) for the ids, plus O(n) for each section, n being the faces of the current surface, plus the output
+/// \cost O(size of T^0) for the ids, plus O(n) for each section, n being the faces of the current surface, plus the
+///       output
 template <class ConcurrencyTag = Sequential_tag, class OutputIterator>
 OutputIterator distance_section_seeds(const Progressive_mesh& pm, OutputIterator out, std::size_t vertices = 8,
                                       std::size_t sections = 24)
@@ -107,7 +109,7 @@ OutputIterator distance_section_seeds(const Progressive_mesh& pm, OutputIterator
     return static_cast<Index>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
   };
 
-  // the first vertex is an end of the surface: one that is farthest from some vertex, among those it can be reached from
+  // the first vertex is an end of the surface: of those that some vertex reaches, the one that is farthest from it
   tree.grow(0);
   for(Index v = 0; v < n; ++v)
     nearest[v] = tree.is_reached(v) ? tree.distance(v) : 0;

@@ -46,7 +46,8 @@ struct Non_face_triangle_seeds
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {
-    return level.merged == null_index ? non_face_triangles(pm, out) : non_face_triangles_at_vertex(pm, level.merged, out);
+    return level.merged == null_index ? non_face_triangles(pm, out)
+                                      : non_face_triangles_at_vertex(pm, level.merged, out);
   }
 };
 
@@ -118,7 +119,6 @@ private:
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Seed source that writes given closed paths of edges of T^0. Vertices are numbered as they come in `vertices(tm)`.
-/// Throws `Invalid_input` if one is not a closed path of edges.
 ///
 /// \cgalModels{ConstrictionSeedSource}
 ///
@@ -130,6 +130,7 @@ public:
   explicit Given_seeds(std::vector<std::vector<Index> > loops) : m_loops(std::move(loops)) {}
 
   /// writes the seeds of the level
+  /// \throws Invalid_input for a loop that is not a closed path of edges
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level&, OutputIterator out) const
   {
@@ -247,8 +248,8 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The seed sources that are used by default: those that together find most constrictions, chosen by the study in the user
-/// manual.
+/// The seed sources that are used by default: those that together find most constrictions, chosen by the study in the
+/// user manual.
 ///
 /// \cgalModels{ConstrictionSeedSource}
 struct Default_seed_sources

@@ -74,12 +74,11 @@ namespace Surface_mesh_constrictions {
 ///
 /// The last three are functions of `CGAL::Surface_mesh_constrictions::parameters`.
 ///
-/// \returns the parts, in the order of their first faces; which meet at which curve; and what became of each curve
-///
+/// \return the parts, in the order of their first faces; which meet at which curve; and what became of each curve
 /// \throws Invalid_input for a mesh that cannot be used, and for a curve that is no closed sequence of locations
 /// \cost linear in the size of the mesh, plus, for each crossing, linear in the number of crossings of the same edge
-///       and of strands in the same face, plus, for each stretch on which two curves cross the same edges, linear in its
-///       length; with `maximum_number_of_parts` that times the logarithm of the number of curves
+///       and of strands in the same face, plus, for each stretch on which two curves cross the same edges, linear in
+///       its length; with `maximum_number_of_parts` that times the logarithm of the number of curves
 ///
 /// \sa `split_along_constrictions()`
 template <class TriangleMesh, class ConstrictionRange, class FacePatchMap,

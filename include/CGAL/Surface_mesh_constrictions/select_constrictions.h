@@ -10,7 +10,6 @@
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -78,14 +77,15 @@ constexpr std::size_t prominence_vertices = 2048;
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{all_constrictions}
-///     \cgalParamDescription{whether to select all, whatever their prominence and isoperimetric ratio and whatever they cross}
+///     \cgalParamDescription{whether to select all, whatever their prominence, isoperimetric ratio and crossings}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the output iterator, past the last element that was written
-/// \cost O(n log n) for n constrictions, plus the lengths of the ways along `Constriction::dominated_by()`
+/// \cost O(n g^2 + n log n) for n constrictions and genus g, plus the lengths of the ways along
+///       `Constriction::dominated_by()` and of `Constriction::crosses()`
 template <class ConstrictionRange, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator select_by_prominence(const ConstrictionRange& constrictions, OutputIterator out,

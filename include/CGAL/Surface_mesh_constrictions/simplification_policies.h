@@ -71,8 +71,8 @@ struct Edge_length_policies
   auto operator()(Simplification_mesh&) const
   {
     namespace SMS = Surface_mesh_simplification;
-    return Cost_and_placement<SMS::Edge_length_cost<Simplification_mesh>, SMS::Midpoint_placement<Simplification_mesh> >(
-        {}, {});
+    return Cost_and_placement<SMS::Edge_length_cost<Simplification_mesh>,
+                              SMS::Midpoint_placement<Simplification_mesh> >({}, {});
   }
 };
 

@@ -28,7 +28,7 @@ namespace Surface_mesh_constrictions {
 template <class TriangleMesh>
 struct Split_curves
 {
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor; ///< halfedges of the mesh
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor; ///< of the mesh
 
   /// for each curve of the input the cyclic sequence of the halfedges along it, in its direction; empty if it does not
   /// cut
@@ -107,6 +107,12 @@ auto edge_mark(const NamedParameters& np)
 ///     \cgalParamDescription{a property map associating points to the vertices of `tm`}
 ///     \cgalParamType{a class model of `ReadWritePropertyMap` whose value type is a 3D point of a CGAL kernel}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_index_map}
+///     \cgalParamDescription{a property map associating to each vertex of `tm` a unique index; used with
+///                           `maximum_number_of_parts` only}
+///     \cgalParamType{a class model of `ReadablePropertyMap`}
+///     \cgalParamDefault{an automatically indexed internal map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{the edges of the curves are put to `true`. The pieces of an edge get what the edge had,

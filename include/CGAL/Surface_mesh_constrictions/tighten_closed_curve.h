@@ -7,21 +7,22 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/check_loop.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cstddef>
 #include <iterator>
-#include <string>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -92,16 +93,18 @@ inline Tightening_verdict tightening_verdict(const Certificate& certificate, boo
 ///     \cgalParamDefault{an automatically indexed internal map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
-///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has led
-///                           it astray; a function of `CGAL::Surface_mesh_constrictions::parameters`}
+///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has
+///                           led it astray; a function of `CGAL::Surface_mesh_constrictions::parameters`}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the output iterator, past the last element that was written
-/// \throws Invalid_input for a mesh that cannot be used, and for a loop that is not a closed path of mesh edges
-/// \cost linear in the size of the mesh, plus for each loop linear in the lengths of the strips that it is led through
+/// \throws Invalid_input for a mesh that cannot be used, for a loop that is not a closed path of mesh edges, and, with
+///         `certify`, for a coordinate that is no rational number of moderate size
+/// \cost linear in the size of the mesh, plus for each loop linear in the lengths of the strips that it is led through,
+///       plus, with `certify`, that of `certify_constriction()`
 template <class TriangleMesh, class LoopRange, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& loops, OutputIterator out,
@@ -161,7 +164,7 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `tighten_closed_curves()`
 ///
 /// \return the constriction, or why there is none
-/// \throws Invalid_input for a mesh that cannot be used, and for a loop that is not a closed path of mesh edges
+/// \throws Invalid_input as `tighten_closed_curves()`
 /// \cost that of `tighten_closed_curves()` with one loop
 template <class TriangleMesh, class Loop, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Tightened_curve<TriangleMesh> tighten_closed_curve(const TriangleMesh& tm, const Loop& loop,

@@ -2,6 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_ARC_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_ARC_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
@@ -45,8 +46,8 @@ inline Index end_halfedge(const Progressive_mesh& pm, const Arc& arc)
   return arc.is_edge() ? pm.opposite(arc.along) : pm.prev(pm.opposite(arc.crossings.back()));
 }
 
-// Computes length and angles of an arc from its combinatorics alone, so that equal arcs have bitwise equal lengths.
-// Linear in the number of crossings.
+// Computes the length and the angles of an arc from its combinatorics alone, so that equal arcs have bitwise equal
+// lengths. Linear in the number of crossings.
 inline void measure(const Progressive_mesh& pm, Arc& arc)
 {
   if(arc.is_edge())
@@ -76,8 +77,8 @@ struct Side_angles
   double left, right;
 };
 
-// Side angles between the arc that arrives at a pivot and the one that leaves it. corner(h) is the angle at source(h) in
-// the face of h. O(degree).
+// Side angles between the arc that arrives at a pivot and the one that leaves it. corner(h) is the angle at source(h)
+// in the face of h. O(degree).
 template <class Corner>
 Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing, const Corner& corner)
 {
@@ -100,11 +101,10 @@ inline Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, 
   return side_angles(pm, incoming, outgoing, [&pm](Index h) { return corner_angle(pm, h); });
 }
 
-enum class Turn { LEFT, RIGHT };
-
 // Appends to `strip` the halfedges that a curve crosses when it passes the pivot between two arcs on the given side
 // instead of through it: the edges of the pivot strictly between the arcs. O(degree).
-inline void append_fan(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing, Turn side, Strip& strip)
+inline void append_fan(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing, Curve_side side,
+                       Strip& strip)
 {
   const Index in = end_halfedge(pm, incoming), out = start_halfedge(pm, outgoing);
   if(in == out)
@@ -112,10 +112,10 @@ inline void append_fan(const Progressive_mesh& pm, const Arc& incoming, const Ar
     // both arcs in one face, or along its edge: one side holds no edge
     const bool none_on_left = incoming.end_angle >= outgoing.start_angle;
     const bool none_on_right = incoming.end_angle <= outgoing.start_angle;
-    if(side == Turn::LEFT ? none_on_left : none_on_right)
+    if(side == Curve_side::LEFT ? none_on_left : none_on_right)
       return;
   }
-  if(side == Turn::LEFT)
+  if(side == Curve_side::LEFT)
   {
     Index h = incoming.is_edge() ? pm.cw(in) : in;
     do {

@@ -50,7 +50,7 @@ public:
   }
 
   // Whether two arcs are the same from a common crossing on, in both directions. Closed ones must also have the same
-  // parameters, else they are parallel.
+  // parameters, up to rounding, else they are parallel.
   bool is_same(const Place& a, const Place& b) const
   {
     const Arc &p = m_arcs[a.arc], &q = m_arcs[b.arc];

@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -48,8 +47,8 @@ public:
     m_lengths.push_back(length);
   }
 
-  // The known curves that a curve crosses, there and back. None of them is longer. Linear, up to a logarithm, in the edges
-  // that it crosses and the curves that cross those.
+  // The known curves that a curve crosses, there and back. Linear, up to a logarithm, in the edges that it crosses and
+  // the curves that cross those.
   const std::vector<Index>& crossed_by(const std::vector<Trace_point>& trace)
   {
     m_sweep.put(trace);

@@ -30,7 +30,6 @@ struct Finding
   explicit Finding(Certificate_verdict verdict, std::size_t arc = 0) : arc(arc) { certificate.verdict = verdict; }
 };
 
-
 // Checks the conditions of Proposition 9 of the paper exactly, and tells strict constrictions, flat bands that hold and
 // flat bands that leak.
 template <class Surface>
@@ -44,8 +43,7 @@ public:
   const Surface& surface() const { return m_prover.surface(); }
   Sign_prover<Surface>& prover() { return m_prover; }
 
-  // Takes arcs that fit together. Linear in the crossings and the degrees of the pivots, plus the squared number of
-  // strands in each face, plus the faces of flat bands, times the cost of the arithmetic.
+  // Takes arcs that fit together. See `certify_constriction()` for the cost.
   Finding<Surface> examine(const std::vector<Arc>& arcs)
   {
     const Sign_statistics before = m_prover.statistics();

@@ -2,11 +2,15 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CLOSED_STRIP_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CLOSED_STRIP_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
+#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -53,12 +57,12 @@ public:
   }
 
   // The side that the shortest curve of the strip bends around: the one that the centre of the rotation is on.
-  Turn inner_side() const { return m_theta >= 0 ? Turn::LEFT : Turn::RIGHT; }
+  Curve_side inner_side() const { return m_theta >= 0 ? Curve_side::LEFT : Curve_side::RIGHT; }
 
   // The corner of the given side that reaches furthest into the strip: of the side that the centre of the rotation is
   // on, the corner furthest from the centre. The shortest closed curve of the strip passes through it: where that curve
   // is furthest from the centre it bends around the centre, so it is at a corner of this side, and none is further.
-  Corner foremost_corner(Turn side) const
+  Corner foremost_corner(Curve_side side) const
   {
     std::size_t best = 0;
     for(std::size_t i = 1; i < m_strip.size(); ++i)
@@ -79,7 +83,7 @@ public:
   std::vector<Corner> corners() const
   {
     std::vector<Corner> result;
-    for(Turn side : {Turn::LEFT, Turn::RIGHT})
+    for(Curve_side side : {Curve_side::LEFT, Curve_side::RIGHT})
       for(std::size_t i = 0; i < m_strip.size(); ++i)
         if(corner(side, i).vertex != corner(side, i == 0 ? m_strip.size() - 1 : i - 1).vertex)
           result.push_back(corner(side, i));
@@ -105,27 +109,28 @@ public:
   }
 
 private:
-  Vector2 position(Turn side, std::size_t i) const
+  Vector2 position(Curve_side side, std::size_t i) const
   {
-    return side == Turn::LEFT ? m_portals[i].left : m_portals[i].right;
+    return side == Curve_side::LEFT ? m_portals[i].left : m_portals[i].right;
   }
 
-  Corner corner(Turn side, std::size_t i) const
+  Corner corner(Curve_side side, std::size_t i) const
   {
     const Index h = m_strip[i];
-    return Corner{side == Turn::LEFT ? m_pm.target(h) : m_pm.source(h), i, position(side, i)};
+    return Corner{side == Curve_side::LEFT ? m_pm.target(h) : m_pm.source(h), i, position(side, i)};
   }
 
   // Grows with the distance from the centre c of the rotation, the side taken to be the one of the centre. Written as
   // |p|^2 / (2 |c|) - p . c / |c| because the centre goes to infinity as the rotation goes to zero.
-  double reach(Vector2 p, Turn side) const
+  double reach(Vector2 p, Curve_side side) const
   {
     const double length = norm(m_translation);
     if(length == 0)
       return dot(p, p);
-    const double s = side == Turn::LEFT ? 1 : -1, half = m_theta / 2;
+    const double s = side == Curve_side::LEFT ? 1 : -1, half = m_theta / 2;
     const Vector2 d = (s / length) * Vector2{-m_translation.y, m_translation.x};
-    const Vector2 to_centre = {std::cos(half) * d.x + std::sin(half) * d.y, -std::sin(half) * d.x + std::cos(half) * d.y};
+    const Vector2 to_centre = {std::cos(half) * d.x + std::sin(half) * d.y,
+                               -std::sin(half) * d.x + std::cos(half) * d.y};
     const double curvature = s * 2 * std::sin(half) / length;
     return curvature / 2 * dot(p, p) - dot(p, to_centre);
   }
@@ -134,7 +139,6 @@ private:
   {
     const double width = norm(vector(m_pm.point(m_pm.source(m_strip[0])), m_pm.point(m_pm.target(m_strip[0]))));
     Portal portal = {{0, width}, {0, 0}};
-    m_theta = 0;
     for(std::size_t i = 0; i < m_strip.size(); ++i)
     {
       m_portals.push_back(portal);

@@ -12,6 +12,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <vector>
 

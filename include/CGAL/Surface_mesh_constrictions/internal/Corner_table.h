@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,7 +50,7 @@ inline void throw_defect_of_edge(Index h, Index u, Index v, std::size_t forth, s
 
 // Connects triangles, given by three vertex indices each. Throws Invalid_input for whatever is not a closed oriented
 // 2-manifold without two edges between the same vertices. Isolated vertices are allowed.
-// Linear in the number of triangles times the mean vertex degree.
+// Linear in the sum of squared vertex degrees.
 inline Corner_table make_corner_table(std::size_t number_of_vertices, std::vector<Index> corners)
 {
   const std::size_t n = corners.size();

@@ -23,8 +23,8 @@ namespace internal {
 constexpr std::size_t crossing_limit = 16;
 
 // Tells closed geodesics that would hardly ever be selected, because of shorter ones that they cross: they cross many
-// there and back, or they are composed of shorter ones, see `composed_constrictions()`. Curves come from the shortest to
-// the longest, so that few are kept of a family of any size.
+// there and back, or they are composed of shorter ones, see `composed_constrictions()`. Curves come from the shortest
+// to the longest, so that few are kept of a family of any size.
 class Crossing_filter
 {
 public:

@@ -6,8 +6,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Arc_order.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Surface_arc.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
@@ -31,7 +29,6 @@ class Curve_arrangement
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
-  typedef typename Arc_order<TriangleMesh>::Place Arc_place;
 
 public:
   typedef Surface_arc<TriangleMesh> Arc;
@@ -205,10 +202,8 @@ private:
     }
     for(std::size_t i = 0; i < added.crossed.size(); ++i)
       add_crossing(a, i);
-    const std::size_t n = added.crossed.size();
-    for(std::size_t i = 0; i < n + !added.is_closed; ++i)
-      m_faces[face_index(face(i < n ? added.crossed[i] : opposite(added.crossed[n - 1], m_tm), m_tm))]
-          .strands.push_back({a, i});
+    for(std::size_t i = 0; i < added.number_of_strands(); ++i)
+      m_faces[face_index(face_of_strand(added, i))].strands.push_back({a, i});
   }
 
   std::optional<Arc_use> find(std::size_t a) const
@@ -293,6 +288,12 @@ private:
       m_crossings[list[i]].rank = i;
   }
 
+  // of an arc with crossings
+  face_descriptor face_of_strand(const Arc& arc, std::size_t i) const
+  {
+    return face(i < arc.crossed.size() ? arc.crossed[i] : opposite(arc.crossed.back(), m_tm), m_tm);
+  }
+
   std::size_t face_index(face_descriptor f)
   {
     const auto inserted = m_face_index.emplace(f, m_faces.size());
@@ -359,10 +360,9 @@ private:
         if(run != m_runs.end())
           return m_curve_of_arc[run->second];
       }
-      const std::size_t n = arc.crossed.size();
-      for(std::size_t i = 0; i < n + !arc.is_closed; ++i)
+      for(std::size_t i = 0; i < arc.number_of_strands(); ++i)
       {
-        const face_descriptor f = face(i < n ? arc.crossed[i] : opposite(arc.crossed[n - 1], m_tm), m_tm);
+        const face_descriptor f = face_of_strand(arc, i);
         const halfedge_descriptor base = halfedge(f, m_tm);
         for(const Strand& s : m_faces[m_face_index.at(f)].strands)
           if(cross({a, i}, s, base))

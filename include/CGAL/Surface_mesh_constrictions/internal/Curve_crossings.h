@@ -17,7 +17,7 @@ namespace internal {
 struct Pivot_fan
 {
   Index out, in;
-  bool leaves_along_edge, arrives_along_edge;
+  bool arrives_along_edge;
 };
 
 inline Pivot_fan pivot_fan(const Progressive_mesh& pm, const std::vector<Trace_point>& trace, std::size_t i)
@@ -25,7 +25,7 @@ inline Pivot_fan pivot_fan(const Progressive_mesh& pm, const std::vector<Trace_p
   const Trace_point &from = trace[(i + trace.size() - 1) % trace.size()], &to = trace[(i + 1) % trace.size()];
   return {to.is_pivot() ? pm.halfedge(trace[i].pivot, to.pivot) : pm.prev(to.halfedge),
           from.is_pivot() ? pm.halfedge(trace[i].pivot, from.pivot) : pm.prev(pm.opposite(from.halfedge)),
-          to.is_pivot(), from.is_pivot()};
+          from.is_pivot()};
 }
 
 // The halfedges that a closed geodesic crosses when it is moved a little to its left at its pivots, in order. The

@@ -8,12 +8,12 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Front_start.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,7 +26,7 @@ namespace internal {
 class Curve_slide
 {
 public:
-  // Linear.
+  // Linear in the size of the mesh.
   Curve_slide(const Progressive_mesh& pm, const Edge_lengths& lengths)
     : m_pm(pm), m_front(pm, lengths), m_seen(pm.number_of_face_ids(), 0)
   {}
@@ -51,9 +51,7 @@ public:
       }
     for(Index h : sweep.crossings(a))
       reached = reached && collect_face(sweep, m_pm.face(h)) && collect_face(sweep, m_pm.face(m_pm.opposite(h)));
-    if(!reached)
-      return (std::numeric_limits<double>::infinity)();
-    if(!measure_distances(trace))
+    if(!reached || !measure_distances(trace))
       return (std::numeric_limits<double>::infinity)();
 
     std::array<double, samples> lengths;

@@ -11,12 +11,14 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -48,7 +50,7 @@ public:
       m_rings.push_back({i, face_ring(arrangement, i, h), {{h, next(h, tm), prev(h, tm)}}});
     }
     for(const auto& arc : arrangement.arcs())
-      m_halfedges.emplace_back(arc.is_edge() ? 1 : arc.crossed.size() + !arc.is_closed, arc.edge);
+      m_halfedges.emplace_back(arc.number_of_strands(), arc.edge);
   }
 
   // Linear in the number of crossings, times the logarithm of their number on one edge.

@@ -61,9 +61,9 @@ private:
     return m_tree.distance(e.ends[0]) + e.length + m_tree.distance(e.ends[1]);
   }
 
-  // Whether the loop that an edge closes is not longer than those of the edges of its two faces, nor, as far as these are
-  // on the cut locus, than those of the edges of their faces: distances along edges vary from one to the next. Loops that
-  // bound a face count among the nearer ones only, or else none around a tube of a few edges would be left.
+  // Whether the loop that an edge closes is not longer than those of the edges of its two faces, nor, as far as these
+  // are on the cut locus, than those of the edges of their faces: distances along edges vary from one to the next.
+  // Loops that bound a face count among the nearer ones only, or else none around a tube of a few edges would be left.
   bool is_shortest(std::size_t e) const
   {
     const std::vector<Edge_graph::Edge>& edges = m_graph.edges();

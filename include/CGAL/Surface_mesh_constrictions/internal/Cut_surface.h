@@ -2,7 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CUT_SURFACE_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CUT_SURFACE_H
 
-#include <CGAL/Surface_mesh_constrictions/Surface_part.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_arrangement.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Face_ring.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
@@ -10,12 +10,13 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -38,7 +39,7 @@ public:
     bool is_forward;    // whether it runs in the direction of the arc
   };
 
-  // Linear.
+  // Linear in the size of the mesh and the number of crossings.
   template <class TriangleMesh>
   Cut_surface(const Imported_mesh<TriangleMesh>& imported, const Curve_arrangement<TriangleMesh>& arrangement)
   {

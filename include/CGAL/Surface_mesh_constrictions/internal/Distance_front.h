@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,7 +26,7 @@ namespace internal {
 class Distance_front
 {
 public:
-  // Linear.
+  // Linear in the size of the mesh.
   Distance_front(const Progressive_mesh& pm, const Edge_lengths& lengths)
     : m_pm(pm), m_lengths(lengths), m_vertices(pm.number_of_vertex_ids()), m_barred(pm.number_of_face_ids(), 0)
   {}
@@ -156,7 +155,7 @@ private:
   }
 
   // A straight front comes through the edge of h, whose ends are settled, into the face of h. Its rays are followed to
-  // the first corner that one of them hits.
+  // the first corner that one of them hits, through eight more faces at most.
   void pass_edge(Index h, std::size_t side)
   {
     if(is_barred(m_pm.face(h)) || is_settled(m_pm.source(m_pm.prev(h))))

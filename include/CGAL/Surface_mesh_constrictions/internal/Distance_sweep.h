@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <limits>
@@ -67,7 +66,7 @@ public:
         m_vertices.push_back(p.pivot);
     start_front(m_pm, trace, m_front, m_sides[0].start, m_sides[1].start);
     for(Index v : m_vertices)
-      settled(v, Distance_front::both_sides);
+      note_settled(v, Distance_front::both_sides);
     for(Side& s : m_sides)
     {
       for(Index f : s.start.faces)
@@ -88,7 +87,7 @@ public:
       else
       {
         m_vertices.push_back(v);
-        settled(v, s);
+        note_settled(v, s);
       }
     }
     ++side.level;
@@ -109,14 +108,11 @@ public:
   template <class Function>
   void for_each_covered(const Function& f) const
   {
-    const std::array<double, 2> reached = {{this->reached(0), this->reached(1)}};
+    const double left = reached(0), right = reached(1);
     for(Index c : m_covered)
     {
-      bool is_behind = true;
-      for(std::size_t s = 0; is_behind && s < 2; ++s)
-        is_behind = m_other[c].furthest[s] <= reached[s];
-      is_behind = is_behind && m_class.is_consistent(c);
-      if(is_behind)
+      const std::array<double, 2>& furthest = m_other[c].furthest;
+      if(furthest[0] <= left && furthest[1] <= right && m_class.is_consistent(c))
         f(c);
     }
   }
@@ -298,7 +294,7 @@ private:
   }
 
   // What a vertex that has just been settled makes known.
-  void settled(Index v, std::size_t s)
+  void note_settled(Index v, std::size_t s)
   {
     for(Index a : m_crossings.curves_at_vertex(v))
     {

@@ -13,8 +13,6 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-inline Curve_side other(Curve_side side) { return side == Curve_side::LEFT ? Curve_side::RIGHT : Curve_side::LEFT; }
-
 // The piece of a curve between two consecutive pivots, as combinatorics alone.
 template <class Surface>
 struct Exact_arc

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Side_angle.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
+#include <CGAL/Surface_mesh_constrictions/internal/other_side.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -144,7 +145,7 @@ public:
     const auto turn = strip.portals.back().right - strip.portals.front().right;
     const std::size_t i =
         static_cast<std::size_t>(std::find(m_strip.begin(), m_strip.end(), portal) - m_strip.begin());
-    const auto across = strip.portals[m_corners[corner]].end(m_side) - strip.portals[i].end(other(m_side));
+    const auto across = strip.portals[m_corners[corner]].end(m_side) - strip.portals[i].end(other_side(m_side));
     const auto scale = square_length(m_strip.front()) / (square(turn.x()) + square(turn.y()));
     const double height = CGAL::to_double(determinant(turn, across)), factor = CGAL::to_double(scale);
     return std::abs(height) * std::sqrt(factor);

@@ -2,8 +2,10 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_FLAT_BAND_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_FLAT_BAND_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Closed_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/other_side.h>
 
 #include <CGAL/number_utils.h>
 
@@ -21,23 +23,22 @@ namespace internal {
 // A side angle this close to pi, in radians, belongs to a flat band: the parallel copies of a closed geodesic.
 constexpr double flat_tolerance = 1e-9;
 
-inline Turn other_side(Turn side) { return side == Turn::LEFT ? Turn::RIGHT : Turn::LEFT; }
-
 // The least and the greatest angle that a closed curve makes on one side.
-inline std::pair<double, double> side_angle_range(const Progressive_mesh& pm, const std::vector<Arc>& curve, Turn side)
+inline std::pair<double, double> side_angle_range(const Progressive_mesh& pm, const std::vector<Arc>& curve,
+                                                  Curve_side side)
 {
   std::pair<double, double> range(4 * CGAL_PI * static_cast<double>(pm.number_of_vertex_ids()), 0);
   for(std::size_t i = 0; i < curve.size(); ++i)
   {
     const Side_angles a = side_angles(pm, curve[i], curve[(i + 1) % curve.size()]);
-    const double angle = side == Turn::LEFT ? a.left : a.right;
+    const double angle = side == Curve_side::LEFT ? a.left : a.right;
     range.first = (std::min)(range.first, angle);
     range.second = (std::max)(range.second, angle);
   }
   return range;
 }
 
-inline bool is_flat_side(const Progressive_mesh& pm, const std::vector<Arc>& curve, Turn side)
+inline bool is_flat_side(const Progressive_mesh& pm, const std::vector<Arc>& curve, Curve_side side)
 {
   return side_angle_range(pm, curve, side).second <= CGAL_PI + flat_tolerance;
 }
@@ -61,7 +62,8 @@ struct Band_end
 // Moves a closed geodesic through the flat band on one of its sides to the end of the band. A band that closes in
 // itself, around a flat torus, ends at the copy with the smallest pivot.
 // Linear in the number of faces of the band times the number of vertices of total angle 2 pi in it.
-inline Band_end follow_flat_band(const Progressive_mesh& pm, std::vector<Arc> curve, Turn side, String_puller& puller)
+inline Band_end follow_flat_band(const Progressive_mesh& pm, std::vector<Arc> curve, Curve_side side,
+                                 String_puller& puller)
 {
   double width = 0, length = 0;
   for(const Arc& a : curve)
@@ -118,11 +120,11 @@ inline Band_report settle_flat_band(Curve_network& network, Index c, Tightener& 
   {
     std::vector<Arc> curve;
     network.for_each_arc(c, [&](Index id) { curve.push_back(network.arc(id)); });
-    if(!is_flat_side(pm, curve, Turn::LEFT) && !is_flat_side(pm, curve, Turn::RIGHT))
+    if(!is_flat_side(pm, curve, Curve_side::LEFT) && !is_flat_side(pm, curve, Curve_side::RIGHT))
       return report;
 
-    Band_end left = follow_flat_band(pm, curve, Turn::LEFT, tightener.puller());
-    Band_end right = follow_flat_band(pm, curve, Turn::RIGHT, tightener.puller());
+    Band_end left = follow_flat_band(pm, curve, Curve_side::LEFT, tightener.puller());
+    Band_end right = follow_flat_band(pm, curve, Curve_side::RIGHT, tightener.puller());
     if(!left.leaks && !right.leaks)
     {
       report.width = left.width + right.width;

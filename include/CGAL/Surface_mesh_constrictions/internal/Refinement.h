@@ -137,9 +137,9 @@ private:
       id = m_network.next(job.last);
       if(!is_touched(job.first))
         continue;
-      job.strips.push_back(strip_past_centre(job, Turn::LEFT));
+      job.strips.push_back(strip_past_centre(job, Curve_side::LEFT));
       if(job.first != job.last)
-        job.strips.push_back(strip_past_centre(job, Turn::RIGHT));
+        job.strips.push_back(strip_past_centre(job, Curve_side::RIGHT));
       m_jobs.push_back(std::move(job));
     } while(id != begin);
   }
@@ -156,7 +156,7 @@ private:
 
   // The faces from the start of the job's first arc to the end of its last one, past the vertex that is split on the
   // given side (Figure 6 of the paper).
-  Strip strip_past_centre(const Job& job, Turn side) const
+  Strip strip_past_centre(const Job& job, Curve_side side) const
   {
     Strip strip;
     for(Index id = job.first;; id = m_network.next(id))

@@ -33,6 +33,9 @@ struct Surface_arc
   std::vector<double> parameters; // of the crossings, along the crossed halfedges
 
   bool is_edge() const { return crossed.empty(); }
+
+  // its pieces, each in one face or along the edge
+  std::size_t number_of_strands() const { return crossed.size() + !is_closed; }
 };
 
 // Translates closed sequences of locations to arcs.

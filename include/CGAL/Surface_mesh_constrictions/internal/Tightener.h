@@ -2,10 +2,12 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTENER_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTENER_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Closed_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
+#include <CGAL/Surface_mesh_constrictions/internal/other_side.h>
 
 #include <CGAL/number_utils.h>
 
@@ -109,11 +111,11 @@ public:
       if(m_network.stamp(entry.arc) != entry.stamp)
         continue;
       const Index curve = m_network.node(entry.arc).curve;
-      const Turn sharper = entry.angles.left <= entry.angles.right ? Turn::LEFT : Turn::RIGHT;
+      const Curve_side sharper = entry.angles.left <= entry.angles.right ? Curve_side::LEFT : Curve_side::RIGHT;
       const bool is_changed =
           reroute(entry.arc, sharper) ||
           ((std::max)(entry.angles.left, entry.angles.right) < CGAL_PI - angle_tolerance &&
-           reroute(entry.arc, sharper == Turn::LEFT ? Turn::RIGHT : Turn::LEFT));
+           reroute(entry.arc, other_side(sharper)));
       if(is_changed && is_known(curve))
         m_queue = std::priority_queue<Entry>();
     }
@@ -136,7 +138,7 @@ private:
   double corner(Index h) const { return m_angles ? (*m_angles)(h) : corner_angle(m_network.surface(), h); }
 
   // Leads the curve around the given side of the pivot where `arc` starts, if that shortens it.
-  bool reroute(Index arc, Turn side)
+  bool reroute(Index arc, Curve_side side)
   {
     const Progressive_mesh& pm = m_network.surface();
     const Index before = m_network.previous(arc);

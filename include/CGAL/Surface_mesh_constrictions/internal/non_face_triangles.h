@@ -27,6 +27,18 @@ void for_each_apex_of_non_face_triangle(const Profile& profile, Report report)
   }
 }
 
+// Whether the profile's edge lies on a non-face triangle.
+template <class Profile>
+bool is_on_non_face_triangle(const Profile& profile)
+{
+  bool found = false;
+  for_each_apex_of_non_face_triangle(profile, [&found](const auto&) {
+    found = true;
+    return false;
+  });
+  return found;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL
