@@ -2,7 +2,10 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_FLAT_BAND_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_FLAT_BAND_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_arithmetic.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Planar.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Side_angle.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
 

@@ -2,12 +2,14 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SETTLER_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SETTLER_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Certifier.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Closed_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_string_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
@@ -16,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 #include <vector>
 

@@ -2,7 +2,9 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_STRING_PULLER_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_STRING_PULLER_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Planar.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
 
 #include <algorithm>

@@ -2,7 +2,10 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_FLAT_BAND_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_FLAT_BAND_H
 
+#include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Closed_strip.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 
 #include <CGAL/number_utils.h>

@@ -4,7 +4,12 @@
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_arithmetic.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Radical_number.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Square_root_basis.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <mpfr.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTENING_BASINS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTENING_BASINS_H
 
-#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 

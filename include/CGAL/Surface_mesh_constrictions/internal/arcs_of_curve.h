@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {

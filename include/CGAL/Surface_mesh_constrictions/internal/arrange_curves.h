@@ -34,7 +34,6 @@ struct Arranged_curves
 template <class TriangleMesh, class NamedParameters>
 std::vector<std::size_t> cutting_order(const std::vector<Constriction<TriangleMesh>>& curves, const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;
   const auto prominence = [&curves](std::size_t i) {

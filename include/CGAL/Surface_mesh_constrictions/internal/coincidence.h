@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 

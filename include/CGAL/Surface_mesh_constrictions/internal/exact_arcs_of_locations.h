@@ -2,13 +2,14 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_ARCS_OF_LOCATIONS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_ARCS_OF_LOCATIONS_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_flat_band.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Planar.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {

@@ -3,13 +3,17 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_FILL_HOLE_H
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Origin.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/iterator.h>
 #include <CGAL/version.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {

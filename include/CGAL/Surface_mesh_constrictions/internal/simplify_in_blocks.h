@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Face_blocks.h>
@@ -13,6 +14,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/for_each.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -20,7 +22,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <mutex>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
