@@ -2,7 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_LEVEL_LENGTHS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_LEVEL_LENGTHS_H
 
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <algorithm>
 #include <array>
