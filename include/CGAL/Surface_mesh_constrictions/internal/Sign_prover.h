@@ -21,6 +21,11 @@ namespace internal {
 
 enum class Proved_sign { NEGATIVE, ZERO, POSITIVE, UNPROVED };
 
+inline bool contains(const std::vector<Proved_sign>& signs, Proved_sign sign)
+{
+  return std::find(signs.begin(), signs.end(), sign) != signs.end();
+}
+
 // What an expression fills in: some of its values.
 template <class NT>
 class Wanted_values
