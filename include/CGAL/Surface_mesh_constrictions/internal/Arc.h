@@ -71,6 +71,15 @@ inline void measure(const Progressive_mesh& pm, Arc& arc)
   }
 }
 
+// The sum of the lengths of measured arcs.
+inline double total_length(const std::vector<Arc>& arcs)
+{
+  double sum = 0;
+  for(const Arc& a : arcs)
+    sum += a.length;
+  return sum;
+}
+
 // The angles on the two sides of a curve at a pivot, along the surface.
 struct Side_angles
 {

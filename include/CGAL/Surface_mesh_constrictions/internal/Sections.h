@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
 #include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
 #include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
@@ -154,9 +155,8 @@ private:
     return true;
   }
 
-  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  Index target(Index h) const { return m_source[next(h)]; }
+  Index target(Index h) const { return m_source[Corner_table::next(h)]; }
+  Index ccw(Index h) const { return m_opposite[Corner_table::prev(h)]; }
   Index face_across(Index h) const { return m_opposite[h] / 3; }
 
   // Follows the boundary of the faces below a level, which lie on its left, once around, along the boundary of one
@@ -171,12 +171,12 @@ private:
       m_is_walked[h] = m_stamp;
       loop.halfedges.push_back(h);
       // the edges on the right at the end of h, counterclockwise; the first one leads above the level
-      for(Index up = m_opposite[previous(m_opposite[h])]; m_slab[up / 3] > level; up = m_opposite[previous(up)])
+      for(Index up = ccw(m_opposite[h]); m_slab[up / 3] > level; up = ccw(up))
         if(m_slab_of_vertex[target(up)] > level)
           m_level_set.push_back(point_of_level(up, m_value[level], values));
-      h = next(h);
+      h = Corner_table::next(h);
       while(m_slab[face_across(h)] <= level)
-        h = next(m_opposite[h]);
+        h = Corner_table::next(m_opposite[h]);
     } while(h != begin);
     for(std::size_t i = 0; i < m_level_set.size(); ++i)
       loop.length += norm(m_level_set[(i + 1) % m_level_set.size()] - m_level_set[i]);

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_crossings.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Strand.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,10 +28,10 @@ inline Earlier_curves odd_crossings(const Progressive_mesh& pm, const std::vecto
   for(const std::vector<Trace_point>& t : traces)
   {
     edges.emplace_back();
-    const auto vertex = [&](const Trace_point& p) { return p.is_pivot() ? p.pivot : pm.target(p.halfedge); };
-    for(std::size_t i = 0; i < t.size(); ++i)
+    const std::vector<Index> path = vertices_passed(pm, t);
+    for(std::size_t i = 0; i < path.size(); ++i)
     {
-      const Index u = vertex(t[i]), v = vertex(t[(i + 1) % t.size()]);
+      const Index u = path[i], v = path[(i + 1) % path.size()];
       if(u != v)
         edges.back().push_back(pm.edge(pm.halfedge(u, v)));
     }
