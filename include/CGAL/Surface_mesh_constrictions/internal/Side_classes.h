@@ -32,8 +32,6 @@ public:
     m_numbers.emplace(0, 0);
   }
 
-  std::size_t size() const { return m_sets.size(); }
-
   const Curves& curves(Index c) const { return m_sets[c]; }
 
   bool is_beyond(Index c, Index curve) const { return m_sets[c].test(curve); }

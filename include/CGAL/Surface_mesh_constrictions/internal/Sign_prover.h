@@ -33,7 +33,6 @@ class Wanted_values
 public:
   explicit Wanted_values(const std::vector<bool>& wanted) : m_wanted(wanted), m_values(wanted.size()) {}
 
-  std::size_t size() const { return m_wanted.size(); }
   bool wants(std::size_t i) const { return m_wanted[i]; }
   NT& operator[](std::size_t i) { return m_values[i]; }
 
