@@ -94,7 +94,7 @@ public:
 
 private:
   std::vector<Index> m_vertices; // their ids
-  std::vector<std::size_t> m_begin;
+  std::vector<std::size_t> m_begin; // of the neighbours of each vertex
   std::vector<Neighbour> m_neighbours;
   std::vector<Edge> m_edges;
 };

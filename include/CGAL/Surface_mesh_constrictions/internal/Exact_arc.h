@@ -13,7 +13,10 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-inline Curve_side other(Curve_side side) { return side == Curve_side::LEFT ? Curve_side::RIGHT : Curve_side::LEFT; }
+inline Curve_side other_side(Curve_side side)
+{
+  return side == Curve_side::LEFT ? Curve_side::RIGHT : Curve_side::LEFT;
+}
 
 // The piece of a curve between two consecutive pivots, as combinatorics alone.
 template <class Surface>
@@ -144,7 +147,7 @@ struct Strip_corner
   Curve_side side;
 };
 
-// The corners of the strip of an arc, in the order in which they are passed.
+// The corners of a strip, in the order in which they are passed.
 template <class Surface>
 std::vector<Strip_corner> strip_corners(const Surface& s, const std::vector<typename Surface::Halfedge>& strip)
 {

@@ -44,7 +44,7 @@ public:
 
   // The certificate of a curve of the network after its correction. The curve has no arcs if it degenerates, and is
   // canonical if it lies in a flat band.
-  // Linear in the curve if no correction is needed.
+  // Costs what Certifier::examine() does if no correction is needed.
   Certificate settle(Curve_network& network, Index c)
   {
     Exact_curve curve = exact_curve(arcs_of_curve(network, c));

@@ -32,8 +32,8 @@ std::vector<Exact_portal<typename Arithmetic::NT> > unfold_turn(const Surface& s
 }
 
 // A closed strip of faces whose unfolding along one turn is a translation: what lies on one side of a closed geodesic
-// with all angles on that side equal to pi, or around one without pivots. Its corners, on the side to which the curve is
-// moved, are numbered.
+// with all angles on that side equal to pi, or around one without pivots. Its corners, on the side to which the curve
+// is moved, are numbered.
 template <class Surface>
 class Flat_closed_strip
 {
@@ -132,7 +132,7 @@ public:
     const auto turn = portals.back().right - portals.front().right;
     const std::size_t i =
         static_cast<std::size_t>(std::find(m_strip.begin(), m_strip.end(), portal) - m_strip.begin());
-    const auto across = portals[m_corners[corner]].end(m_side) - portals[i].end(other(m_side));
+    const auto across = portals[m_corners[corner]].end(m_side) - portals[i].end(other_side(m_side));
     const auto scale = square_length(m_strip.front()) / (square(turn.x()) + square(turn.y()));
     const double height = CGAL::to_double(determinant(turn, across)), factor = CGAL::to_double(scale);
     return std::abs(height) * std::sqrt(factor);

@@ -40,7 +40,7 @@ public:
   template <class VertexPointMap, class GeomTraits>
   void initialize(const Simplification_mesh& mesh, VertexPointMap vpm, const GeomTraits&) const
   {
-    m_quadrics->assign(mesh.num_vertices() + mesh.number_of_removed_vertices(), Plane_quadric());
+    m_quadrics->assign(mesh.num_vertices(), Plane_quadric()); // removed ones included
     for(const auto f : faces(mesh))
     {
       const auto begin = mesh.halfedge(f);

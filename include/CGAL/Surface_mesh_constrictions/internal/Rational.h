@@ -54,7 +54,7 @@ std::optional<Rational> rational_by_continued_fraction(const FT& x)
   for(int i = 0; i < max_terms; ++i)
   {
     const double approximation = CGAL::to_double(rest);
-    if(!(std::abs(approximation) < 4503599627370496.)) // 2^52: up to there integers, and those next to them, are doubles
+    if(!(std::abs(approximation) < 4503599627370496.)) // 2^52: up to there integers and the next ones are doubles
       return std::nullopt;
     double term = std::floor(approximation);
     while(FT(term) > rest)

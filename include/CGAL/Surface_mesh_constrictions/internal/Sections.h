@@ -26,15 +26,15 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Level sets of functions on the vertices of the current surface, as closed paths of edges: the boundary loops of the
-// faces none of whose vertices is above the level. Where a loop and one of the next level bound a tube between them, only
-// that is given beside which the level set is shorter: what is given is the shortest around. Where a constriction lies
-// aslant in a tube that only gets wider, none of the sections may be the shortest: so each seventh level is given as a
-// whole. No loop is given twice, whatever the functions.
+// faces none of whose vertices is above the level. Where a loop and one of the next level bound a tube between them,
+// only that is given beside which the level set is shorter: what is given is the shortest around. Where a constriction
+// lies aslant in a tube that only gets wider, none of the sections may be the shortest: so each seventh level is given
+// as a whole. No loop is given twice, whatever the functions.
 class Sections
 {
 public:
-  // Makes a compact copy of the current surface, whose vertices have the numbers that they have in the graph. O(size of T^0)
-  // for the ids, and linear in the size of the current surface.
+  // Makes a compact copy of the current surface, whose vertices have the numbers that they have in the graph. O(size of
+  // T^0) for the ids, and linear in the size of the current surface.
   Sections(const Progressive_mesh& pm, const Edge_graph& graph)
     : m_level(pm.level()), m_graph(graph), m_slab_of_vertex(graph.number_of_vertices(), 0)
   {
@@ -190,8 +190,8 @@ private:
     return m_position[u] + t * (m_position[v] - m_position[u]);
   }
 
-  // Where a loop of a level and one of the level before bound a part of the slab between them, and no third one does, drops
-  // the longer. Those of the level before are [below, first), those of the level are the rest.
+  // Where a loop of a level and one of the level before bound a part of the slab between them, and no third one does,
+  // drops the longer. Those of the level before are [below, first), those of the level are the rest.
   void drop_longer(Index level, std::size_t below, std::size_t first)
   {
     const Index offset = static_cast<Index>(m_slab.size()); // of loops behind faces

@@ -85,6 +85,7 @@ private:
   std::vector<Curves> m_sets;
 };
 
+// Calls f for each curve of a set, in ascending order.
 template <class Function>
 void for_each_curve(const Side_classes::Curves& curves, const Function& f)
 {

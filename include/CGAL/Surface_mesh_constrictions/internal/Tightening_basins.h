@@ -17,8 +17,8 @@ namespace internal {
 
 // Tightens curves one after the other, and finds out which of them end as the same curve. What a step of the tightening
 // does depends on the curve alone, so a curve that has become what an earlier one was on its way ends where that ended:
-// it is not tightened any further. Not every curve on the way is kept in mind, but one in eight, chosen by its hash: two
-// that have met pass the same ones soon.
+// it is not tightened any further. Not every curve on the way is kept in mind, but one in eight, chosen by its hash:
+// two that have met pass the same ones soon.
 class Tightening_basins
 {
 public:

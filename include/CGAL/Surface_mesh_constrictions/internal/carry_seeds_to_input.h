@@ -81,8 +81,8 @@ struct Seeds_on_input
   std::size_t collapses = 0;
 };
 
-// Simplifies the mesh, finds seeds on the way, and carries them to T^0: appends them to those of other policies. Returns
-// the surface, at level 0, and copies its level with `prominence_vertices` if there is no copy yet. Takes the
+// Simplifies the mesh, finds seeds on the way, and carries them to T^0: appends them to those of other policies.
+// Returns the surface, at level 0, and copies its level with `prominence_vertices` if there is no copy yet. Takes the
 // connectivity and the points out of the imported mesh if `is_last`.
 template <class ConcurrencyTag, class ImportedMesh, class Policies, class NamedParameters, class Visitor>
 Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, const Policies& policies,

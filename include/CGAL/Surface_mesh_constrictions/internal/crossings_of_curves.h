@@ -19,8 +19,8 @@ namespace internal {
 
 typedef std::vector<std::vector<Index> > Earlier_curves; // for each of some curves, some of those before it
 
-// For each of some closed geodesics those before it that it crosses an odd number of times. One is moved a little to its
-// left, the other one to the vertices next to it: that does not change the number modulo 2.
+// For each of some closed geodesics those before it that it crosses an odd number of times. One is moved a little to
+// its left, the other one to the vertices next to it: that does not change the number modulo 2.
 // Linear in the size of the mesh, plus, for each pair, in the length of one of the two.
 inline Earlier_curves odd_crossings(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces)
 {

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Polygon Mesh Processing's triangulation of the hole of a border halfedge, which has no new vertices; where it finds
-// none, the cone to the mean of the vertices of the hole.
+// Fills the hole of a border halfedge with Polygon Mesh Processing's triangulation, which has no new vertices; where it
+// finds none, with the cone to the mean of the vertices of the hole.
 template <class TriangleMesh>
 void fill_hole(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, TriangleMesh& mesh)
 {
