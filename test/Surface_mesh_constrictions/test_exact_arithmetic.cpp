@@ -44,6 +44,7 @@ TEST(ExactRational, OfEveryKindOfNumber)
   EXPECT_EQ(*exact_rational(Root(-5) / Root(7)), fraction(-5, 7));
   EXPECT_EQ(*exact_rational(CGAL::sqrt(Root(9)) / Root(4)), fraction(9, 12));
   EXPECT_FALSE(exact_rational(CGAL::sqrt(Root(2))));
+  EXPECT_FALSE(exact_rational(Root(1e20) + Root(1) / Root(3))); // whose neighbouring integers are no doubles
 }
 
 TEST(SquareRootBasis, ReducesToSquareClasses)

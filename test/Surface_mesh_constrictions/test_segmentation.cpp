@@ -363,6 +363,7 @@ TEST(Segmentation, CurvesAreChosen)
   EXPECT_EQ(used(params::maximum_number_of_parts(std::size_t(1))), Set());
   EXPECT_EQ(used(params::maximum_number_of_parts(std::size_t(0))), Set());
   EXPECT_EQ(used(params::maximum_number_of_parts(std::size_t(9))), (Set{0, 1, 2, 3}));
+  EXPECT_EQ(used(params::maximum_number_of_parts((std::numeric_limits<std::size_t>::max)())), (Set{0, 1, 2, 3}));
   EXPECT_EQ(used(params::maximum_number_of_parts(std::size_t(2), params::choked_side(SMC::Side::OBJECT))), (Set{0, 2}));
 }
 

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/carry_seeds_to_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/found_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/internal/policies_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -69,6 +70,15 @@ inline void measure(const Progressive_mesh& pm, Arc& arc)
     }
     portal = next_portal(pm, arc.crossings[i], portal, apex, arc.crossings[i + 1]);
   }
+}
+
+// The sum of the lengths of measured arcs.
+inline double total_length(const std::vector<Arc>& arcs)
+{
+  double sum = 0;
+  for(const Arc& a : arcs)
+    sum += a.length;
+  return sum;
 }
 
 // The angles on the two sides of a curve at a pivot, along the surface.

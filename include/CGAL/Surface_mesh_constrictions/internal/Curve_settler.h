@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Flat_band.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Strand.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>

@@ -4,8 +4,8 @@
 
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_arrangement.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Face_ring.h>
+#include <CGAL/Surface_mesh_constrictions/internal/best_diagonals.h>
 #include <CGAL/Surface_mesh_constrictions/internal/spread_parameters.h>
-#include <CGAL/Surface_mesh_constrictions/internal/triangulate_piece.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>

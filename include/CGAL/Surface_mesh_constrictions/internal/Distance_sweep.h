@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Side_classes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Vertex_classes.h>
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EDGE_GRAPH_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <algorithm>
 #include <array>
@@ -94,7 +94,7 @@ public:
 
 private:
   std::vector<Index> m_vertices; // their ids
-  std::vector<std::size_t> m_begin;
+  std::vector<std::size_t> m_begin; // of the neighbours of each vertex
   std::vector<Neighbour> m_neighbours;
   std::vector<Edge> m_edges;
 };

@@ -3,7 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EDGE_LENGTHS_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <array>
 #include <cstddef>

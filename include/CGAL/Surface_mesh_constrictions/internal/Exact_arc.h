@@ -142,7 +142,7 @@ struct Strip_corner
   Curve_side side;
 };
 
-// The corners of the strip of an arc, in the order in which they are passed.
+// The corners of a strip, in the order in which they are passed.
 template <class Surface>
 std::vector<Strip_corner> strip_corners(const Surface& s, const std::vector<typename Surface::Halfedge>& strip)
 {

@@ -2,13 +2,16 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SETTLER_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SETTLER_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Certifier.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Closed_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_string_puller.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Flat_band.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
@@ -16,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -42,7 +44,7 @@ public:
 
   // The certificate of a curve of the network after its correction. The curve has no arcs if it degenerates, and is
   // canonical if it lies in a flat band.
-  // Linear in the curve if no correction is needed.
+  // Costs what Certifier::examine() does if no correction is needed.
   Certificate settle(Curve_network& network, Index c)
   {
     Exact_curve curve = exact_curve(arcs_of_curve(network, c));
@@ -77,7 +79,7 @@ public:
     return result;
   }
 
-  // how many curves rounding had led astray
+  // how many curves rounding had led astray, without those that degenerate when they are corrected
   std::size_t number_of_corrections() const { return m_corrected; }
 
 private:
@@ -111,14 +113,6 @@ private:
     return result;
   }
 
-  static Index smallest_pivot(const Exact_curve& curve)
-  {
-    Index v = null_index;
-    for(const Exact& a : curve)
-      v = (std::min)(v, a.from);
-    return v;
-  }
-
   // Of the two ends of the band that holds a curve, the one with the smaller vertex, unless it touches itself there. A
   // band without an end on one side ends with the curve.
   Exact_curve canonical_copy(const Exact_curve& curve, const std::array<Exact_curve, 2>& band_ends)
@@ -141,15 +135,12 @@ private:
     switch(finding.certificate.verdict)
     {
     case Certificate_verdict::NOT_STRAIGHT:
-    {
-      Exact_curve path;
-      const Exact& arc = curve[finding.arc];
-      return pull(arc.from, arc.crossings, arc.to, path) && replace(curve, finding.arc, 1, path);
-    }
+      return replace(curve, finding.arc, 1, curve[finding.arc].crossings);
     case Certificate_verdict::ANGLE_BELOW_PI:
       return curve.size() == 1 ? lead_loop_around_pivot(curve, finding) : lead_around_pivot(curve, finding);
     case Certificate_verdict::LEAKY_BAND:
       curve = finding.band_ends[finding.certificate.side == Curve_side::LEFT ? 0 : 1];
+      renumber(curve);
       return true;
     default:
       return false;
@@ -167,9 +158,12 @@ private:
     }
   }
 
-  // Replaces `count` arcs, cyclically from number `first`, by a path.
-  static bool replace(Exact_curve& curve, std::size_t first, std::size_t count, const Exact_curve& path)
+  // Replaces `count` arcs, cyclically from number `first`, by the shortest path in a strip between their ends.
+  bool replace(Exact_curve& curve, std::size_t first, std::size_t count, const Strip& strip)
   {
+    Exact_curve path;
+    if(!pull(curve[first].from, strip, curve[(first + count - 1) % curve.size()].to, path))
+      return false;
     std::rotate(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(first), curve.end());
     curve.erase(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(count));
     curve.insert(curve.end(), path.begin(), path.end());
@@ -177,7 +171,8 @@ private:
     return true;
   }
 
-  // The shortest path in a strip, which is normalised first; none if it is a point.
+  // Appends the shortest path in a strip, which is normalised first; nothing if it is a point. False if a tie could not
+  // be proved.
   bool pull(Index from, Strip strip, Index to, Exact_curve& path)
   {
     normalize_strip(m_pm, from, strip, to);
@@ -195,8 +190,7 @@ private:
     Strip strip = incoming.crossings;
     append_fan(m_surface, incoming, outgoing, finding.certificate.side, finding.is_whole_turn, strip);
     strip.insert(strip.end(), outgoing.crossings.begin(), outgoing.crossings.end());
-    Exact_curve path;
-    return pull(incoming.from, strip, outgoing.to, path) && replace(curve, before, 2, path);
+    return replace(curve, before, 2, strip);
   }
 
   // A curve with one pivot is led through a closed strip. It is shortest through one of the strip's corners; as that
@@ -214,12 +208,7 @@ private:
     String_puller puller(m_pm);
     std::vector<std::pair<double, Closed_strip::Corner> > candidates;
     for(const Closed_strip::Corner& corner : strip.corners())
-    {
-      double length = 0;
-      for(const Arc& a : strip.shortest_loop(corner, puller))
-        length += a.length;
-      candidates.emplace_back(length, corner);
-    }
+      candidates.emplace_back(total_length(strip.shortest_loop(corner, puller)), corner);
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for(const auto& candidate : candidates)

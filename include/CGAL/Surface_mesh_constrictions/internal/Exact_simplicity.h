@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -267,7 +268,9 @@ private:
     }
     std::sort(strands.begin(), strands.end());
     // x strictly between a and b, counterclockwise from a
-    const auto between = [](std::size_t a, std::size_t b, std::size_t x) { return a < b ? a < x && x < b : x > a || x < b; };
+    const auto between = [](std::size_t a, std::size_t b, std::size_t x) {
+      return a < b ? a < x && x < b : x > a || x < b;
+    };
     for(std::size_t i = 0; i < strands.size(); ++i)
       for(std::size_t j = i + 1; j < strands.size() && strands[j].face == strands[i].face; ++j)
       {

@@ -2,7 +2,9 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_STRING_PULLER_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_STRING_PULLER_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Planar.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
 
 #include <algorithm>
@@ -81,7 +83,9 @@ private:
     std::size_t begin = m_strip->size(), end = 0;
     for(const Corner& corner : {a, b, c})
     {
-      begin = (std::min)(begin, corner.kind == Corner::PORTAL ? corner.portal : corner.kind == Corner::START ? 0 : begin);
+      begin = (std::min)(begin, corner.kind == Corner::PORTAL ? corner.portal
+                                : corner.kind == Corner::START ? 0
+                                                               : begin);
       end = (std::max)(end, corner.kind == Corner::PORTAL ? corner.portal + 1
                             : corner.kind == Corner::END ? m_strip->size()
                                                          : 0);
@@ -92,9 +96,11 @@ private:
                            m_strip->begin() + static_cast<std::ptrdiff_t>(end));
     const std::vector<Proved_sign> signs = m_prover.signs(2, [&](const auto& arithmetic, auto& values) {
       typedef typename std::decay_t<decltype(arithmetic)>::NT NT;
-      const Planar<NT> origin(arithmetic.number(0), arithmetic.number(0)), one(arithmetic.number(1), arithmetic.number(0));
-      const Unfolded_strip<NT> strip = from_start ? unfold(m_prover.surface(), arithmetic, piece)
-                                                  : unfold(m_prover.surface(), arithmetic, {one, origin}, piece.crossings);
+      const Planar<NT> origin(arithmetic.number(0), arithmetic.number(0));
+      const Planar<NT> one(arithmetic.number(1), arithmetic.number(0));
+      const Surface& s = m_prover.surface();
+      const Unfolded_strip<NT> strip = from_start ? unfold(s, arithmetic, piece)
+                                                  : unfold(s, arithmetic, {one, origin}, piece.crossings);
       const auto position = [&](const Corner& corner) {
         return corner.kind == Corner::START ? origin
                : corner.kind == Corner::END ? strip.apex

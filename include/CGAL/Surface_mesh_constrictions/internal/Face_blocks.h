@@ -16,8 +16,8 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // The faces of a surface in compact blocks of about equal size, by halving them again and again at the median of their
-// positions along the longest axis. A vertex is inside a block if all faces around it are in the block, and else it is at
-// the border of several.
+// positions along the longest axis. A vertex is inside a block if all faces around it are in the block, and else it is
+// at the border of several.
 class Face_blocks
 {
 public:

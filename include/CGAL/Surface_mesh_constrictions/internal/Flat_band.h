@@ -3,8 +3,12 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_FLAT_BAND_H
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Closed_strip.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/other_side.h>
 
 #include <CGAL/number_utils.h>
@@ -12,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -20,14 +25,15 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// A side angle this close to pi, in radians, belongs to a flat band: the parallel copies of a closed geodesic.
+// A side angle this close to pi, in radians, belongs to a flat band: the parallel copies of a closed geodesic. Their
+// lengths are equal up to this share.
 constexpr double flat_tolerance = 1e-9;
 
 // The least and the greatest angle that a closed curve makes on one side.
 inline std::pair<double, double> side_angle_range(const Progressive_mesh& pm, const std::vector<Arc>& curve,
                                                   Curve_side side)
 {
-  std::pair<double, double> range(4 * CGAL_PI * static_cast<double>(pm.number_of_vertex_ids()), 0);
+  std::pair<double, double> range((std::numeric_limits<double>::infinity)(), 0);
   for(std::size_t i = 0; i < curve.size(); ++i)
   {
     const Side_angles a = side_angles(pm, curve[i], curve[(i + 1) % curve.size()]);
@@ -43,10 +49,12 @@ inline bool is_flat_side(const Progressive_mesh& pm, const std::vector<Arc>& cur
   return side_angle_range(pm, curve, side).second <= CGAL_PI + flat_tolerance;
 }
 
-inline Index smallest_pivot(const std::vector<Arc>& curve)
+// The smallest vertex that a sequence of arcs passes through.
+template <class Arcs>
+Index smallest_pivot(const Arcs& arcs)
 {
   Index v = null_index;
-  for(const Arc& a : curve)
+  for(const auto& a : arcs)
     v = (std::min)(v, a.from);
   return v;
 }
@@ -65,9 +73,8 @@ struct Band_end
 inline Band_end follow_flat_band(const Progressive_mesh& pm, std::vector<Arc> curve, Curve_side side,
                                  String_puller& puller)
 {
-  double width = 0, length = 0;
-  for(const Arc& a : curve)
-    length += a.length;
+  double width = 0;
+  const double length = total_length(curve);
   std::set<Index> visited;
   std::vector<Arc> smallest = curve;
   while(is_flat_side(pm, curve, side))
@@ -83,10 +90,7 @@ inline Band_end follow_flat_band(const Progressive_mesh& pm, std::vector<Arc> cu
       break;
     const Closed_strip::Corner end = strip.foremost_corner(side);
     std::vector<Arc> moved = strip.shortest_loop(end, puller);
-    double moved_length = 0;
-    for(const Arc& a : moved)
-      moved_length += a.length;
-    if(moved.empty() || std::abs(moved_length - length) > flat_tolerance * length)
+    if(moved.empty() || std::abs(total_length(moved) - length) > flat_tolerance * length)
       break;
     if(!visited.insert(end.vertex).second)
     {
@@ -118,8 +122,7 @@ inline Band_report settle_flat_band(Curve_network& network, Index c, Tightener& 
   Band_report report;
   while(!network.is_empty(c))
   {
-    std::vector<Arc> curve;
-    network.for_each_arc(c, [&](Index id) { curve.push_back(network.arc(id)); });
+    const std::vector<Arc> curve = arcs_of_curve(network, c);
     if(!is_flat_side(pm, curve, Curve_side::LEFT) && !is_flat_side(pm, curve, Curve_side::RIGHT))
       return report;
 

@@ -5,9 +5,9 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_crossings.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distance_front.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Strand.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
-#include <CGAL/Surface_mesh_constrictions/internal/coincidence.h>
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <algorithm>
 #include <array>

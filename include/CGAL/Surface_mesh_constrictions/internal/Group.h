@@ -19,6 +19,7 @@ struct Group
   Result result;
 };
 
+// Groups of `size` items, of which the last may have fewer.
 template <class Result>
 std::vector<Group<Result> > make_groups(std::size_t items, std::size_t size)
 {

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,9 +45,9 @@ inline void check_points(const Corner_table& table, const std::vector<Point>& po
   }
 }
 
-// A triangle mesh taken over from a face graph, with the way back: vertex v is vertices[v], and halfedge h is the one
-// of face h / 3 that lies h % 3 steps after halfedges[h / 3]. Faces start at their vertex of smallest index, so that
-// the same mesh in different data structures is taken over the same way.
+// A triangle mesh taken over from a face graph, with the way back. Vertices and faces are numbered in the order of the
+// graph. Faces start at their vertex of smallest index, so that the same mesh in different data structures is taken
+// over the same way.
 template <class TriangleMesh>
 class Imported_mesh
 {
@@ -100,7 +101,8 @@ public:
 
   const TriangleMesh& mesh() const { return m_tm; }
 
-  // Divides coordinates by a power of two if they are so large or so small that their products would overflow or vanish.
+  // Divides coordinates by a power of two if they are so large or so small that their products would overflow or
+  // vanish.
   void rescale()
   {
     double greatest = 0;
@@ -137,7 +139,7 @@ private:
   const TriangleMesh& m_tm;
   double m_unit = 1;
   std::vector<vertex_descriptor> m_vertices;
-  std::vector<halfedge_descriptor> m_halfedges;
+  std::vector<halfedge_descriptor> m_halfedges; // the first of each face
 };
 
 } // namespace internal

@@ -32,16 +32,17 @@ public:
 
 namespace Surface_mesh_simplification {
 
-// A model of EdgeProfile that looks up what it is asked for. CGAL's own allocates memory for the triangles around the edge
-// and their link as it is made, and on a mesh with border goes around both ends; but of some thirty profiles that
-// edge_collapse() makes for each collapse, only that of the edge that collapses is asked for these. The rest is made for
-// costs that hardly ever need them: this takes a third off the time of the simplification.
+// A model of EdgeProfile that looks up what it is asked for. CGAL's own allocates memory for the triangles around the
+// edge and their link as it is made, and on a mesh with border goes around both ends; but of some thirty profiles that
+// edge_collapse() makes for each collapse, only that of the edge that collapses is asked for these. The rest is made
+// for costs that hardly ever need them: this takes a third off the time of the simplification.
 template <class GeomTraits>
 class Edge_profile<Surface_mesh_constrictions::Simplification_mesh,
                    Surface_mesh_constrictions::internal::Lean_point_map, GeomTraits>
 {
   typedef Surface_mesh_constrictions::internal::Simplification_point_map Simplification_point_map;
-  typedef Edge_profile<Surface_mesh_constrictions::Simplification_mesh, Simplification_point_map, GeomTraits> Full_profile;
+  typedef Edge_profile<Surface_mesh_constrictions::Simplification_mesh, Simplification_point_map, GeomTraits>
+      Full_profile;
 
 public:
   typedef Surface_mesh_constrictions::Simplification_mesh Triangle_mesh;
@@ -79,8 +80,14 @@ public:
   halfedge_descriptor vL_v0() const { return left_face_exists() ? prev(m_h, m_mesh) : GraphTraits::null_halfedge(); }
   vertex_descriptor vL() const { return left_face_exists() ? target(v1_vL(), m_mesh) : GraphTraits::null_vertex(); }
 
-  halfedge_descriptor v0_vR() const { return right_face_exists() ? next(v1_v0(), m_mesh) : GraphTraits::null_halfedge(); }
-  halfedge_descriptor vR_v1() const { return right_face_exists() ? prev(v1_v0(), m_mesh) : GraphTraits::null_halfedge(); }
+  halfedge_descriptor v0_vR() const
+  {
+    return right_face_exists() ? next(v1_v0(), m_mesh) : GraphTraits::null_halfedge();
+  }
+  halfedge_descriptor vR_v1() const
+  {
+    return right_face_exists() ? prev(v1_v0(), m_mesh) : GraphTraits::null_halfedge();
+  }
   vertex_descriptor vR() const { return right_face_exists() ? target(v0_vR(), m_mesh) : GraphTraits::null_vertex(); }
 
   bool is_v0_v1_a_border() const { return is_border(m_h, m_mesh); }

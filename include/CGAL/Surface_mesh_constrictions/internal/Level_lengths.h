@@ -2,7 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_LEVEL_LENGTHS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_LEVEL_LENGTHS_H
 
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The levels of a distance at which level sets are measured: `per_unit` of them on the first stretch of one unit, and as
-// many on each further factor of e, so that their number stays small however far a sweep goes.
+// The levels of a distance at which level sets are measured: `per_unit` of them on the first stretch of one unit, and
+// as many on each further factor of e, so that their number stays small however far a sweep goes.
 class Level_scale
 {
 public:
@@ -94,7 +94,8 @@ public:
     return result;
   }
 
-  // Constant but for the number of levels that the triangle spans.
+  // Adds the pieces of the level sets in a triangle to their lengths in its class c. Constant but for the number of
+  // levels that the triangle spans.
   void add(const Level_scale& scale, Triangle t, std::size_t c)
   {
     const auto sort2 = [&](std::size_t i, std::size_t j) {

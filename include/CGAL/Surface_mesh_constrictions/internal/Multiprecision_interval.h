@@ -7,7 +7,6 @@
 #include <mpfr.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {

@@ -5,7 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Surface_part.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Cut_surface.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <array>
 #include <cmath>

@@ -51,7 +51,7 @@ public:
     return (x * q[0] + z * q[2]) + (y * q[1] + w * q[3]);
   }
 
-  // The point of the least value, or of the least one between two points if the planes have a line in common.
+  // The point of the least value; if there is more than one, that of the least value between two points, whose w is 1.
   Homogeneous best_point(const Homogeneous& p, const Homogeneous& q) const
   {
     const double xx = m[0], xy = m[1], xz = m[2], xw = m[3], yy = m[4], yz = m[5], yw = m[6], zz = m[7], zw = m[8];

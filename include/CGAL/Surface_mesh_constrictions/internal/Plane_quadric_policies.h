@@ -5,14 +5,15 @@
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Plane_quadric.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/tags.h>
 
 #include <cmath>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,7 +40,7 @@ public:
   template <class VertexPointMap, class GeomTraits>
   void initialize(const Simplification_mesh& mesh, VertexPointMap vpm, const GeomTraits&) const
   {
-    m_quadrics->assign(mesh.num_vertices() + mesh.number_of_removed_vertices(), Plane_quadric());
+    m_quadrics->assign(mesh.num_vertices(), Plane_quadric()); // removed ones included
     for(const auto f : faces(mesh))
     {
       const auto begin = mesh.halfedge(f);

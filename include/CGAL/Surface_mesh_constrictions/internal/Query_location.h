@@ -11,10 +11,10 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -106,10 +106,10 @@ private:
 
   double squared_distance_to_segment(const Point& p, const Point& q) const
   {
-    const auto along = q - p, to_point = m_point - p;
-    const double length = along * along;
-    const double t = length > 0 ? (std::min)((std::max)(along * to_point / length, 0.0), 1.0) : 0;
-    return (to_point - t * along).squared_length();
+    const auto along = q - p, offset = m_point - p;
+    const double squared_length = along * along;
+    const double t = squared_length > 0 ? (std::min)((std::max)(along * offset / squared_length, 0.0), 1.0) : 0;
+    return (offset - t * along).squared_length();
   }
 
   const TriangleMesh& m_tm;

@@ -21,7 +21,8 @@ namespace internal {
 typedef boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off> Rational;
 typedef boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off> Integer;
 
-// The rational number that a coordinate is. One overload for each kind of number type; the last asks the number alone.
+// The rational number that a coordinate is; none if it is not known to be one. An overload for each kind of number
+// type.
 
 template <class T>
 std::enable_if_t<std::is_arithmetic<T>::value, std::optional<Rational> > exact_rational(const T& x)
@@ -52,8 +53,10 @@ std::optional<Rational> rational_by_continued_fraction(const FT& x)
   FT rest = x;
   for(int i = 0; i < max_terms; ++i)
   {
-    const double floor = std::floor(CGAL::to_double(rest));
-    double term = floor;
+    const double approximation = CGAL::to_double(rest);
+    if(!(std::abs(approximation) < 4503599627370496.)) // 2^52: up to there integers and the next ones are doubles
+      return std::nullopt;
+    double term = std::floor(approximation);
     while(FT(term) > rest)
       --term;
     while(FT(term + 1) <= rest)
@@ -68,8 +71,6 @@ std::optional<Rational> rational_by_continued_fraction(const FT& x)
       return result;
     }
     rest = FT(1) / rest;
-    if(!(CGAL::to_double(rest) < 4503599627370496.)) // 2^52: the floor is no longer exact
-      return std::nullopt;
   }
   return std::nullopt;
 }

@@ -3,7 +3,9 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_REFINEMENT_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/String_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 
 #include <algorithm>

@@ -3,9 +3,10 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SECTIONS_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
 #include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -22,15 +23,15 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Level sets of functions on the vertices of the current surface, as closed paths of edges: the boundary loops of the
-// faces none of whose vertices is above the level. Where a loop and one of the next level bound a tube between them, only
-// that is given beside which the level set is shorter: what is given is the shortest around. Where a constriction lies
-// aslant in a tube that only gets wider, none of the sections may be the shortest: so each seventh level is given as a
-// whole.
+// faces none of whose vertices is above the level. Where a loop and one of the next level bound a tube between them,
+// only that is given beside which the level set is shorter: what is given is the shortest around. Where a constriction
+// lies aslant in a tube that only gets wider, none of the sections may be the shortest: so each seventh level is given
+// as a whole.
 class Sections
 {
 public:
-  // Makes a compact copy of the current surface, whose vertices have the numbers that they have in the graph. O(size of T^0)
-  // for the ids, and linear in the size of the current surface.
+  // Makes a compact copy of the current surface, whose vertices have the numbers that they have in the graph. O(size of
+  // T^0) for the ids, and linear in the size of the current surface.
   Sections(const Progressive_mesh& pm, const Edge_graph& graph)
     : m_graph(graph), m_slab_of_vertex(graph.number_of_vertices(), 0)
   {
@@ -150,9 +151,8 @@ private:
     return true;
   }
 
-  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  Index target(Index h) const { return m_source[next(h)]; }
+  Index target(Index h) const { return m_source[Corner_table::next(h)]; }
+  Index ccw(Index h) const { return m_opposite[Corner_table::prev(h)]; }
   Index face_across(Index h) const { return m_opposite[h] / 3; }
 
   // Follows the boundary of the faces below a level, which lie on its left, once around, along the boundary of one
@@ -167,12 +167,12 @@ private:
       m_is_walked[h] = m_stamp;
       loop.halfedges.push_back(h);
       // the edges on the right at the end of h, counterclockwise; the first one leads above the level
-      for(Index up = m_opposite[previous(m_opposite[h])]; m_slab[up / 3] > level; up = m_opposite[previous(up)])
+      for(Index up = ccw(m_opposite[h]); m_slab[up / 3] > level; up = ccw(up))
         if(m_slab_of_vertex[target(up)] > level)
           m_level_set.push_back(point_of_level(up, m_value[level], values));
-      h = next(h);
+      h = Corner_table::next(h);
       while(m_slab[face_across(h)] <= level)
-        h = next(m_opposite[h]);
+        h = Corner_table::next(m_opposite[h]);
     } while(h != begin);
     for(std::size_t i = 0; i < m_level_set.size(); ++i)
       loop.length += norm(m_level_set[(i + 1) % m_level_set.size()] - m_level_set[i]);
@@ -186,8 +186,8 @@ private:
     return m_position[u] + t * (m_position[v] - m_position[u]);
   }
 
-  // Where a loop of a level and one of the level before bound a part of the slab between them, and no third one does, drops
-  // the longer. Those of the level before are [below, first), those of the level are the rest.
+  // Where a loop of a level and one of the level before bound a part of the slab between them, and no third one does,
+  // drops the longer. Those of the level before are [below, first), those of the level are the rest.
   void drop_longer(Index level, std::size_t below, std::size_t first)
   {
     const Index offset = static_cast<Index>(m_slab.size()); // of loops behind faces

@@ -6,7 +6,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <utility>

@@ -2,8 +2,11 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIDE_ANGLE_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIDE_ANGLE_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Corner_arithmetic.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Planar.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Rational.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
 
 #include <cstddef>

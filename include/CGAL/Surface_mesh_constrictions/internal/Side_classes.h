@@ -32,8 +32,6 @@ public:
     m_numbers.emplace(0, 0);
   }
 
-  std::size_t size() const { return m_sets.size(); }
-
   const Curves& curves(Index c) const { return m_sets[c]; }
 
   bool is_beyond(Index c, Index curve) const { return m_sets[c].test(curve); }
@@ -87,6 +85,7 @@ private:
   std::vector<Curves> m_sets;
 };
 
+// Calls f for each curve of a set, in ascending order.
 template <class Function>
 void for_each_curve(const Side_classes::Curves& curves, const Function& f)
 {

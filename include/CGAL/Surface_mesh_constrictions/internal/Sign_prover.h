@@ -4,7 +4,12 @@
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_arithmetic.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Radical_number.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Square_root_basis.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <mpfr.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,6 +21,11 @@ namespace internal {
 
 enum class Proved_sign { NEGATIVE, ZERO, POSITIVE, UNPROVED };
 
+inline bool contains(const std::vector<Proved_sign>& signs, Proved_sign sign)
+{
+  return std::find(signs.begin(), signs.end(), sign) != signs.end();
+}
+
 // What an expression fills in: some of its values.
 template <class NT>
 class Wanted_values
@@ -23,7 +33,6 @@ class Wanted_values
 public:
   explicit Wanted_values(const std::vector<bool>& wanted) : m_wanted(wanted), m_values(wanted.size()) {}
 
-  std::size_t size() const { return m_wanted.size(); }
   bool wants(std::size_t i) const { return m_wanted[i]; }
   NT& operator[](std::size_t i) { return m_values[i]; }
 

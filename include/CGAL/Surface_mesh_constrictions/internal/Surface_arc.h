@@ -5,14 +5,11 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -3,7 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_CYCLES_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <algorithm>
 #include <array>

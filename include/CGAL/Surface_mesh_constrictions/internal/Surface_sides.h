@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_crossings.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Surface_cycles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <CGAL/number_utils.h>
 

@@ -2,7 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTENING_BASINS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTENING_BASINS_H
 
-#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 
@@ -17,8 +17,8 @@ namespace internal {
 
 // Tightens curves one after the other, and finds out which of them end as the same curve. What a step of the tightening
 // does depends on the curve alone, so a curve that has become what an earlier one was on its way ends where that ended:
-// it is not tightened any further. Not every curve on the way is kept in mind, but one in eight, chosen by its hash: two
-// that have met pass the same ones soon.
+// it is not tightened any further. Not every curve on the way is kept in mind, but one in eight, chosen by its hash:
+// two that have met pass the same ones soon.
 class Tightening_basins
 {
 public:

@@ -7,13 +7,14 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
+// The measured arcs of a closed curve. Linear, times the degrees of the pivots for arcs along edges.
 inline std::vector<Arc> arcs_of_curve(const Progressive_mesh& pm, const Closed_curve& curve)
 {
   std::vector<Arc> arcs;
@@ -35,6 +36,7 @@ inline std::vector<Arc> arcs_of_curve(const Progressive_mesh& pm, const Closed_c
   return arcs;
 }
 
+// The arcs of a curve of a network. Linear.
 inline std::vector<Arc> arcs_of_curve(const Curve_network& network, Index c)
 {
   std::vector<Arc> arcs;
@@ -42,6 +44,7 @@ inline std::vector<Arc> arcs_of_curve(const Curve_network& network, Index c)
   return arcs;
 }
 
+// The other way round: the closed curve that consists of these arcs. Linear.
 inline Closed_curve curve_of_arcs(const std::vector<Arc>& arcs)
 {
   Closed_curve curve;

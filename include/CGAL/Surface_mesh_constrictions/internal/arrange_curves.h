@@ -34,7 +34,6 @@ struct Arranged_curves
 template <class TriangleMesh, class NamedParameters>
 std::vector<std::size_t> cutting_order(const std::vector<Constriction<TriangleMesh>>& curves, const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;
   const auto prominence = [&curves](std::size_t i) {
@@ -71,8 +70,8 @@ Arranged_curves<TriangleMesh> arrange(const TriangleMesh& tm, const std::vector<
   return result;
 }
 
-// The curves that the named parameters choose. `imported()` returns the mesh taken over, and is called if parts must be
-// counted.
+// The curves that the named parameters choose, as many as make no more parts than they allow. `imported()` returns the
+// mesh taken over, and is called if parts must be counted.
 template <class TriangleMesh, class NamedParameters, class Imported>
 Arranged_curves<TriangleMesh> arrange_curves(const TriangleMesh& tm,
                                              const std::vector<Constriction<TriangleMesh>>& curves,
@@ -89,22 +88,24 @@ Arranged_curves<TriangleMesh> arrange_curves(const TriangleMesh& tm,
     const auto number_of_parts = [&](std::size_t n) {
       return Part_finder(Cut_surface(mesh, *arrange(tm, curves, order, n).arrangement)).size();
     };
-    // the number of parts grows with the number of curves
-    const auto least_number_of_curves = [&](std::size_t parts) {
+    // the number of parts does not fall as curves are added
+    const auto least_number_for_more_than = [&](std::size_t parts) {
       std::size_t low = 0, high = order.size() + 1;
       while(low < high)
       {
         const std::size_t middle = (low + high) / 2;
-        if(middle > order.size() || number_of_parts(middle) >= parts)
+        if(middle > order.size() || number_of_parts(middle) > parts)
           high = middle;
         else
           low = middle + 1;
       }
       return low;
     };
-    const std::size_t too_many = least_number_of_curves(maximum + 1);
-    if(too_many <= order.size())
-      result = arrange(tm, curves, order, too_many == 0 ? 0 : least_number_of_curves(number_of_parts(too_many - 1)));
+    const std::size_t too_many = least_number_for_more_than(maximum);
+    if(too_many == 0)
+      result = arrange(tm, curves, order, 0);
+    else if(too_many <= order.size()) // without the last ones if they add no part
+      result = arrange(tm, curves, order, least_number_for_more_than(number_of_parts(too_many - 1) - 1));
   }
   return result;
 }

@@ -11,8 +11,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Turns a closed path so that it starts with its smallest vertex and goes on to the smaller of the two neighbours. Paths
-// that visit no vertex twice are the same, whatever their start and direction, if and only if they are equal then.
+// Turns a closed path so that it starts with its smallest vertex and goes on to the smaller of the two neighbours.
+// Paths that visit no vertex twice are the same, whatever their start and direction, if and only if they are equal
+// then.
 inline void make_canonical(std::vector<Index>& loop)
 {
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());

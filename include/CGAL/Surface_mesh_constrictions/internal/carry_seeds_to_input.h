@@ -8,29 +8,23 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/find_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
-#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
-#include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <optional>
-#include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
-
 namespace internal {
 
 // A coarse level tells only roughly what will be selected: there, prominences and isoperimetric ratios may miss what is
@@ -79,87 +73,6 @@ struct Refinement_progress
   }
 };
 
-// Builds the progressive mesh from a record and calls the seed source at every level, or as far as the first seed.
-template <class ConcurrencyTag, class SeedSource, class Visitor>
-std::vector<Seed_curve> replay(const Collapse_record& record, const SeedSource& source, bool first_only,
-                               const Visitor& visitor, Progressive_mesh& pm)
-{
-  Seed_level level = {0, record.collapses.size(), null_index, &record.refused_seeds,
-                      std::is_convertible<ConcurrencyTag, Parallel_tag>::value};
-  level.vertices = pm.number_of_vertices();
-  std::vector<Seed_curve> seeds;
-  source(pm, level, std::back_inserter(seeds));
-  pm.reserve(record.collapses.size());
-  for(const Edge_collapse& c : record.collapses)
-  {
-    if(first_only && !seeds.empty())
-      break;
-    pm.append_collapse(c);
-    --level.vertices;
-    level.merged = c.kept;
-    source(pm, level, std::back_inserter(seeds));
-    visitor.on_step(Detection_stage::SEEDS, pm.level());
-  }
-  if(first_only && seeds.size() > 1)
-    seeds.resize(1);
-  return seeds;
-}
-
-template <class... T>
-std::tuple<T...> as_tuple(const std::tuple<T...>& t) { return t; }
-
-template <class T>
-std::tuple<T> as_tuple(const T& t) { return std::tuple<T>(t); }
-
-template <class NamedParameters>
-constexpr bool has_seed_sources = !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_sources_t>::value;
-
-// Whether it is non-face triangles that are asked for, as in the paper.
-template <class NamedParameters>
-constexpr bool has_seed_detection =
-    !has_seed_sources<NamedParameters> &&
-    !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_detection_t>::value;
-
-// The seeds of the source that the named parameters ask for.
-template <class ConcurrencyTag, class NamedParameters, class Visitor>
-std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedParameters& np, bool first_only,
-                                   const Visitor& visitor, Progressive_mesh& pm)
-{
-  using CGAL::parameters::get_parameter;
-  if constexpr(has_seed_sources<NamedParameters>)
-    return replay<ConcurrencyTag>(record, get_parameter(np, internal_np::seed_sources), first_only, visitor, pm);
-  else if constexpr(has_seed_detection<NamedParameters>)
-    return get_parameter(np, internal_np::seed_detection) == Seed_detection::ON_APPEARANCE
-               ? replay<ConcurrencyTag>(record, Non_face_triangle_seeds(), first_only, visitor, pm)
-               : replay<ConcurrencyTag>(record, Refused_collapse_seeds(), first_only, visitor, pm);
-  else
-    return first_only ? replay<ConcurrencyTag>(record, Non_face_triangle_seeds(), first_only, visitor, pm)
-                      : replay<ConcurrencyTag>(record, Default_seed_sources(), first_only, visitor, pm);
-}
-
-// The simplification policies that the named parameters ask for, in a tuple.
-template <class NamedParameters>
-auto policies_asked_for(const NamedParameters& np)
-{
-  using CGAL::parameters::get_parameter;
-  using CGAL::parameters::is_default_parameter;
-  constexpr bool has_cost = !is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value;
-  constexpr bool has_placement = !is_default_parameter<NamedParameters, internal_np::get_placement_policy_t>::value;
-  constexpr bool has_policies =
-      !is_default_parameter<NamedParameters, internal_np::simplification_policies_t>::value;
-  static_assert(has_cost == has_placement, "get_cost and get_placement have to be given together");
-  static_assert(!has_cost || !has_policies, "give get_cost and get_placement, or simplification_policies");
-  if constexpr(has_policies)
-    return as_tuple(get_parameter(np, internal_np::simplification_policies));
-  else if constexpr(has_cost)
-    return as_tuple([cost = get_parameter(np, internal_np::get_cost_policy),
-                     placement = get_parameter(np, internal_np::get_placement_policy)](Simplification_mesh&) {
-      return Cost_and_placement<decltype(cost), decltype(placement)>(cost, placement);
-    });
-  else
-    return as_tuple(Garland_heckbert_policies());
-}
-
 // Seeds, and what they have become on T^0. The refined curves know their seeds by number.
 struct Seeds_on_input
 {
@@ -168,9 +81,9 @@ struct Seeds_on_input
   std::size_t collapses = 0;
 };
 
-// Simplifies the mesh, finds seeds on the way, and carries them to T^0: appends them to those of other policies. Returns
-// the surface, at level 0, and copies its level with `prominence_vertices` if there is no copy yet. Takes the connectivity
-// and the points out of the imported mesh if `is_last`.
+// Simplifies the mesh, finds seeds on the way, and carries them to T^0: appends them to those of other policies.
+// Returns the surface, at level 0, and copies its level with `prominence_vertices` if there is no copy yet. Takes the
+// connectivity and the points out of the imported mesh if `is_last`.
 template <class ConcurrencyTag, class ImportedMesh, class Policies, class NamedParameters, class Visitor>
 Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, const Policies& policies,
                                       const NamedParameters& np, const Visitor& visitor, Seeds_on_input& all,

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Throws Invalid_input if `path` is not a closed path of edges.
+// Throws Invalid_input, with the number of the loop, if `path` is not a closed path of edges.
 inline void check_loop(const Progressive_mesh& pm, const std::vector<Index>& path, std::size_t number)
 {
   const std::string name = "loop " + std::to_string(number);
@@ -23,7 +23,8 @@ inline void check_loop(const Progressive_mesh& pm, const std::vector<Index>& pat
   for(std::size_t i = 0; i < path.size(); ++i)
   {
     const Index u = path[i], v = path[(i + 1) % path.size()];
-    if(u >= pm.number_of_vertex_ids() || v >= pm.number_of_vertex_ids() || !pm.is_vertex(u) || pm.halfedge(u, v) == null_index)
+    if(u >= pm.number_of_vertex_ids() || v >= pm.number_of_vertex_ids() || !pm.is_vertex(u) ||
+       pm.halfedge(u, v) == null_index)
       throw Invalid_input(Input_defect::INVALID_LOOP, number,
                           name + " is not a path of mesh edges: no edge joins vertices " + std::to_string(u) +
                           " and " + std::to_string(v));

@@ -4,10 +4,10 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -19,15 +19,8 @@ namespace internal {
 // the same curve: it passes a vertex so closely that rounding decided on which side.
 constexpr double coincidence_tolerance = 1e-8;
 
-inline double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b)
-{
-  const Vector3 d = b - a;
-  const double dd = dot(d, d), t = dd > 0 ? (std::min)((std::max)(dot(p - a, d) / dd, 0.0), 1.0) : 0;
-  return norm(p - (a + t * d));
-}
-
-// Whether every point of one closed curve lies on the other one but for rounding. Quadratic; ends at the first point
-// that does not.
+// Whether each point of the trace of one closed curve lies on the other one but for rounding; `length` is that of a
+// curve. Quadratic; ends at the first point that does not.
 inline bool coincide(const Progressive_mesh& pm, const std::vector<Trace_point>& a, const std::vector<Trace_point>& b,
                      double length)
 {

@@ -13,9 +13,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Which of some constrictions are composed of others: modulo 2 their homology class is the sum of classes of shorter ones,
-// one of which they cross. So a curve that winds around a torus both ways is composed of a meridian
-// and an equator, but no curve is composed of others that it stays clear of.
+// Which of the given constrictions with these numbers are composed of others of them: modulo 2 their homology class is
+// the sum of classes of shorter ones, one of which they cross. So a curve that winds around a torus both ways is
+// composed of a meridian and an equator, but no curve is composed of others that it stays clear of.
 // O(n g^2) for n constrictions and genus g.
 template <class Constriction>
 std::vector<bool> composed_constrictions(const std::vector<Constriction>& given, std::vector<std::size_t> numbers)
@@ -35,7 +35,8 @@ std::vector<bool> composed_constrictions(const std::vector<Constriction>& given,
       continue;
     Homology_basis::Reduced reduced = basis.reduce(given[i].homology_class());
     if(reduced.is_sum())
-      result[i] = std::any_of(reduced.members.begin(), reduced.members.end(), [&](std::size_t j) { return cross(i, j); });
+      result[i] = std::any_of(reduced.members.begin(), reduced.members.end(),
+                              [&](std::size_t j) { return cross(i, j); });
     else
       basis.add(std::move(reduced), i);
   }

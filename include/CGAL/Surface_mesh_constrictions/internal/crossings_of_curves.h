@@ -4,7 +4,9 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_crossings.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Strand.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -17,8 +19,8 @@ namespace internal {
 
 typedef std::vector<std::vector<Index> > Earlier_curves; // for each of some curves, some of those before it
 
-// For each of some closed geodesics those before it that it crosses an odd number of times. One is moved a little to its
-// left, the other one to the vertices next to it: that does not change the number modulo 2.
+// For each of some closed geodesics those before it that it crosses an odd number of times. One is moved a little to
+// its left, the other one to the vertices next to it: that does not change the number modulo 2.
 // Linear in the size of the mesh, plus, for each pair, in the length of one of the two.
 inline Earlier_curves odd_crossings(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces)
 {
@@ -26,10 +28,10 @@ inline Earlier_curves odd_crossings(const Progressive_mesh& pm, const std::vecto
   for(const std::vector<Trace_point>& t : traces)
   {
     edges.emplace_back();
-    const auto vertex = [&](const Trace_point& p) { return p.is_pivot() ? p.pivot : pm.target(p.halfedge); };
-    for(std::size_t i = 0; i < t.size(); ++i)
+    const std::vector<Index> path = vertices_passed(pm, t);
+    for(std::size_t i = 0; i < path.size(); ++i)
     {
-      const Index u = vertex(t[i]), v = vertex(t[(i + 1) % t.size()]);
+      const Index u = path[i], v = path[(i + 1) % path.size()];
       if(u != v)
         edges.back().push_back(pm.edge(pm.halfedge(u, v)));
     }

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Group.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Strand.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>

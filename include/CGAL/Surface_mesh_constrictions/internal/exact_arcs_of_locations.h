@@ -2,13 +2,12 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_ARCS_OF_LOCATIONS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_ARCS_OF_LOCATIONS_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Exact_flat_band.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Flat_closed_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,21 +29,13 @@ template <class Surface>
 Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vector<typename Surface::Halfedge>& strip)
 {
   const Surface& s = prover.surface();
-  const std::size_t n = strip.size();
   Located_arcs<Surface> result = {Certificate_verdict::NOT_STRAIGHT, 0, {}};
   Flat_closed_strip<Surface> left(prover, strip, Curve_side::LEFT), right(prover, strip, Curve_side::RIGHT);
   if(left.is_degenerate() || right.is_degenerate())
     return result;
 
-  const auto unfold_turn = [&](const auto& arithmetic) {
-    typedef Planar<typename std::decay_t<decltype(arithmetic)>::NT> Point;
-    std::vector<typename Surface::Halfedge> turn = strip;
-    turn.push_back(strip.front());
-    const Point origin = {arithmetic.number(0), arithmetic.number(0)}, one = {arithmetic.number(1), arithmetic.number(0)};
-    return unfold(s, arithmetic, {one, origin}, turn).portals;
-  };
   const std::vector<Proved_sign> rotation = prover.signs(2, [&](const auto& arithmetic, auto& values) {
-    const auto portals = unfold_turn(arithmetic);
+    const auto portals = unfold_turn(s, arithmetic, strip);
     const auto image = portals.back().left - portals.back().right;
     values[0] = image.x() - arithmetic.number(1);
     values[1] = image.y();
@@ -60,10 +51,10 @@ Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vec
     result.verdict = Certificate_verdict::TIE_NOT_PROVED;
     return result;
   }
-  const std::size_t high = left.portal_of_corner(above.front(), strip), low = right.portal_of_corner(below.front(), strip);
+  const std::size_t high = left.portal_of_corner(above.front()), low = right.portal_of_corner(below.front());
   const Proved_sign width = prover.sign([&](const auto& arithmetic, auto& values) {
-    const auto portals = unfold_turn(arithmetic);
-    values[0] = determinant(portals[n].right - portals[0].right, portals[high].left - portals[low].right);
+    const auto portals = unfold_turn(s, arithmetic, strip);
+    values[0] = determinant(portals.back().right - portals.front().right, portals[high].left - portals[low].right);
   });
   if(width != Proved_sign::POSITIVE)
   {

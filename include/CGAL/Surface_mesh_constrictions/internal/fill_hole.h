@@ -3,20 +3,24 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_FILL_HOLE_H
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Origin.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/iterator.h>
 #include <CGAL/version.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Polygon Mesh Processing's triangulation of the hole of a border halfedge, which has no new vertices; where it finds
-// none, the cone to the mean of the vertices of the hole.
+// Fills the hole of a border halfedge with Polygon Mesh Processing's triangulation, which has no new vertices; where it
+// finds none, with the cone to the mean of the vertices of the hole.
 template <class TriangleMesh>
 void fill_hole(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, TriangleMesh& mesh)
 {

@@ -6,7 +6,8 @@
 // infinite coordinates are found by comparisons that -ffinite-math-only removes.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "Surface_mesh_constrictions cannot be compiled with -ffast-math, -Ofast or a part of them: its proofs use interval arithmetic, which needs IEEE 754 rounding"
+#error "Surface_mesh_constrictions cannot be compiled with -ffast-math, -Ofast or a part of them: \
+its proofs use interval arithmetic, which needs IEEE 754 rounding"
 #endif
 
 #endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_FLOATING_POINT_REQUIREMENTS_H

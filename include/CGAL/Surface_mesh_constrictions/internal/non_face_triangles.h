@@ -4,8 +4,6 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {

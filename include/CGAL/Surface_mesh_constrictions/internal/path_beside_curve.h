@@ -32,7 +32,7 @@ inline void remove_spurs(std::vector<Index>& path)
   path.assign(kept.begin() + static_cast<std::ptrdiff_t>(begin), kept.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
-// The vertices that a closed curve passes: its pivots, and an end of each edge that it crosses, the same on the same side.
+// The vertices that a closed curve passes: its pivots, and of each edge that it crosses the end on its left. Linear.
 inline std::vector<Index> vertices_passed(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
 {
   std::vector<Index> vertices;
@@ -41,8 +41,8 @@ inline std::vector<Index> vertices_passed(const Progressive_mesh& pm, const std:
   return vertices;
 }
 
-// The closed path of edges beside a closed curve: each crossing is moved to the nearer end of its edge. Fewer than three
-// vertices if the path shrinks to a point or an edge forth and back. Linear.
+// The closed path of edges beside a closed curve: each crossing is moved to the nearer end of its edge. Fewer than
+// three vertices if the path shrinks to a point or an edge forth and back. Linear.
 inline std::vector<Index> path_beside_curve(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
 {
   std::vector<Index> path;

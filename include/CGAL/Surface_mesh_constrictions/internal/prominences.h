@@ -8,12 +8,13 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Crossing_filter.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Strand.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightening_basins.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <algorithm>
 #include <cmath>

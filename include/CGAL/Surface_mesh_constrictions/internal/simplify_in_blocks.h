@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Face_blocks.h>
@@ -13,6 +14,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/for_each.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -20,7 +22,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <mutex>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -39,7 +40,8 @@ struct Partial_surface
   std::vector<Index> vertices; // as T^0 numbers them
 };
 
-// Whether an edge of the surface has length zero. Linear.
+// Whether an edge of the surface has length zero. CGAL's edge_collapse() collapses such edges whatever they cost, those
+// at the border of a block too. Linear.
 inline bool has_edge_of_length_zero(const Corner_table& table, const std::vector<Partial_surface::Point>& points)
 {
   for(Index h = 0; h < table.source.size(); ++h)
@@ -55,8 +57,8 @@ struct Face_block
   std::size_t number_of_vertices_inside = 0, number_of_edges_inside = 0;
 };
 
-// `number` has a place for each vertex of the surface; those of vertices inside the block are overwritten. Linear in the
-// block, but for its border.
+// Cuts a block out of the surface. `number` has a place for each vertex of the surface; those of vertices inside the
+// block are overwritten. Linear in the block, but for its border.
 inline Face_block make_face_block(const Corner_table& table, const std::vector<Partial_surface::Point>& points,
                                   const std::vector<Index>& vertices, const Face_blocks& blocks, Index block,
                                   std::vector<Index>& number)
@@ -97,10 +99,12 @@ inline Face_block make_face_block(const Corner_table& table, const std::vector<P
       const Index h = 3 * faces[i] + j, o = table.opposite[h], v = table.source[h];
       const Index local = blocks.block_of_vertex(v) != null_index
                               ? number[v]
-                              : n + static_cast<Index>(std::lower_bound(border.begin(), border.end(), v) - border.begin());
+                              : n + static_cast<Index>(std::lower_bound(border.begin(), border.end(), v) -
+                                                       border.begin());
       s.table.source.push_back(local);
       s.table.outgoing[local] = 3 * i + j;
-      s.table.opposite.push_back(blocks.block_of_face(o / 3) == block ? 3 * blocks.position(o / 3) + o % 3 : null_index);
+      s.table.opposite.push_back(blocks.block_of_face(o / 3) == block ? 3 * blocks.position(o / 3) + o % 3
+                                                                      : null_index);
     }
   for(Index h = 0; h < s.table.source.size(); ++h)
     result.number_of_edges_inside += h < s.table.opposite[h] && s.table.source[h] < n &&
@@ -115,7 +119,8 @@ inline Face_block make_face_block(const Corner_table& table, const std::vector<P
   return result;
 }
 
-// What the simplification of a block has done: collapses, and the corners of the faces that are left, in numbers of T^0.
+// What the simplification of a block has done: collapses, and the corners of the faces that are left, in numbers of
+// T^0.
 struct Simplified_block
 {
   Collapse_record record;

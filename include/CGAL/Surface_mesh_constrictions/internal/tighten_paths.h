@@ -38,9 +38,9 @@ struct Ends_of_paths
   std::vector<std::size_t> degenerate; // paths
 };
 
-// Tightens closed paths of edges of a surface, of which path_of(i) gives number i as a vector of vertices. Writes what they
-// end as into a network on the same surface, each once: the seeds of its curves are the numbers of the paths. Returns the
-// numbers of the paths that degenerate.
+// Tightens closed paths of edges of a surface, of which path_of(i) gives number i as a vector of vertices. Writes what
+// they end as into a network on the same surface, each once: the seeds of its curves are the numbers of the paths.
+// Returns the numbers of the paths that degenerate.
 // Cost: for each path that of tightening it until it is what another one of its group was on its way.
 template <class ConcurrencyTag, class PathOf>
 std::vector<std::size_t> tighten_paths(std::size_t number_of_paths, const PathOf& path_of, Curve_network& ends)
@@ -64,8 +64,8 @@ std::vector<std::size_t> tighten_paths(std::size_t number_of_paths, const PathOf
     }
     for(Index c = 0; c < network.number_of_curve_ids(); ++c)
       if(!network.is_empty(c))
-        group.result.ends.push_back({curve_of_arcs(arcs_of_curve(network, c)), network.curve(c).size, network.curve(c).hash,
-                                     network.curve(c).seeds});
+        group.result.ends.push_back({curve_of_arcs(arcs_of_curve(network, c)), network.curve(c).size,
+                                     network.curve(c).hash, network.curve(c).seeds});
     return true;
   });
 

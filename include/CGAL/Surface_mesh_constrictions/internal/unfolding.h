@@ -3,57 +3,13 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_UNFOLDING_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <cmath>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
-
-// A point or vector of the plane that faces are unfolded into.
-struct Vector2
-{
-  double x, y;
-
-  friend Vector2 operator+(Vector2 a, Vector2 b) { return {a.x + b.x, a.y + b.y}; }
-  friend Vector2 operator-(Vector2 a, Vector2 b) { return {a.x - b.x, a.y - b.y}; }
-  friend Vector2 operator*(double s, Vector2 a) { return {s * a.x, s * a.y}; }
-};
-
-inline double dot(Vector2 a, Vector2 b) { return a.x * b.x + a.y * b.y; }
-inline double cross(Vector2 a, Vector2 b) { return a.x * b.y - a.y * b.x; }
-inline double norm(Vector2 a) { return std::sqrt(dot(a, a)); }
-
-// Angle from a to b, counterclockwise positive, in (-pi, pi].
-inline double angle(Vector2 a, Vector2 b) { return std::atan2(cross(a, b), dot(a, b)); }
-
-struct Vector3
-{
-  double x, y, z;
-
-  friend Vector3 operator+(const Vector3& a, const Vector3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Vector3 operator-(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Vector3 operator*(double s, const Vector3& a) { return {s * a.x, s * a.y, s * a.z}; }
-};
-
-inline Vector3 vector(const Progressive_mesh::Point& p, const Progressive_mesh::Point& q)
-{
-  return {q.x() - p.x(), q.y() - p.y(), q.z() - p.z()};
-}
-
-inline double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vector3 cross(const Vector3& a, const Vector3& b)
-{
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline double norm(const Vector3& a) { return std::sqrt(dot(a, a)); }
-
-inline Vector3 position(const Progressive_mesh& pm, Index v)
-{
-  return vector(Progressive_mesh::Point(0, 0, 0), pm.point(v));
-}
 
 // Angle at source(h) in the face of h, in [0, pi].
 inline double corner_angle(const Progressive_mesh& pm, Index h)
@@ -69,8 +25,8 @@ struct Portal
   Vector2 left, right;
 };
 
-// The first portal of a strip that starts at the corner opposite to h, unfolded to the origin; the corner's other end
-// source(h) comes to lie on the positive x axis.
+// The first portal of a strip that starts at the corner opposite to h. The corner comes to lie at the origin, and
+// source(h) on the positive x axis.
 inline Portal portal_from_apex(const Progressive_mesh& pm, Index h)
 {
   const auto& apex = pm.point(pm.source(pm.prev(h)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TRIANGULATE_PIECE_H
-#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TRIANGULATE_PIECE_H
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_BEST_DIAGONALS_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_BEST_DIAGONALS_H
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -69,4 +68,4 @@ best_diagonals(const std::vector<Exact_predicates_inexact_constructions_kernel::
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TRIANGULATE_PIECE_H
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_BEST_DIAGONALS_H
