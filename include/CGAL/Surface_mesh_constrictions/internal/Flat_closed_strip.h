@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Planar.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
+#include <CGAL/Surface_mesh_constrictions/internal/other_side.h>
 
 #include <CGAL/Interval_nt.h>
 
