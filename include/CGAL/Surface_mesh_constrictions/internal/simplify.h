@@ -65,9 +65,9 @@ struct Optional_stop_predicate
 // How a large mesh is simplified before it is simplified as a whole.
 struct Block_simplification
 {
-  std::size_t whole_faces = 65536;  // a surface of no more faces is simplified as a whole
-  std::size_t block_faces = 16384;  // of a block
-  double share = 0.25;              // of the edges inside a block that are left
+  std::size_t whole_faces = 65536; // a mesh of no more faces is simplified as a whole
+  std::size_t block_faces = 16384; // of a block at most, and of what is left of the blocks of a larger mesh in the end
+  double share = 0.25;             // of the edges inside a block that are left
 };
 
 // Simplifies a copy of the mesh as far as CGAL's edge_collapse() goes, or to the first non-face triangle that it meets,
@@ -86,7 +86,8 @@ Collapse_record simplify(const ImportedMesh& imported, const Policies& make_poli
   std::iota(vertices.begin(), vertices.end(), Index(0));
   const auto on_step = [&visitor](std::size_t done) { visitor.on_step(Detection_stage::SIMPLIFICATION, done); };
   for(std::size_t faces = table->source.size() / 3, faces_before = faces + 1;
-      in_blocks && faces > in_blocks->whole_faces && faces < faces_before && !has_edge_of_length_zero(*table, *points);)
+      in_blocks && faces > (rest.points.empty() ? in_blocks->whole_faces : in_blocks->block_faces) &&
+      faces < faces_before && !has_edge_of_length_zero(*table, *points);)
   {
     rest = simplify_blocks<ConcurrencyTag>(*table, *points, vertices, in_blocks->block_faces, in_blocks->share,
                                            make_policies, with_refused_seeds, record, on_step);
