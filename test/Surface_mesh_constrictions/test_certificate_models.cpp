@@ -37,7 +37,6 @@ typedef test_meshes::Mesh Mesh;
 // Where the tube of boxes_with_tube() begins.
 const std::vector<Position> beginning = {{{2, 1, 1}}, {{2, 2, 1}}, {{2, 2, 2}}, {{2, 1, 2}}};
 
-
 template <class AnyMesh>
 std::vector<Constriction<AnyMesh> > detect(const AnyMesh& mesh)
 {
@@ -427,7 +426,7 @@ TEST(CertificateModels, LoopWhoseTurnsCancelIsProvedStraightWhateverTheNumberOfS
     }
 }
 
-TEST(CertificateModels, BorderAndPolygonsAreReported)
+TEST(CertificateModels, ABorderIsReported)
 {
   Mesh mesh = test_meshes::make_mesh(exact_models::waist(1));
   const auto loop = exact_models::vertices_at(exact_models::waist(1), exact_models::ring(exact_models::square(), 1, 5));
