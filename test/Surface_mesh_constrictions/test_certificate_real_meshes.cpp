@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates of what is found on real meshes.
+#include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -14,7 +15,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact_arcs_of_locations.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/number_utils.h>
 
@@ -32,17 +32,10 @@
 namespace test_certificate_real_meshes {
 
 using namespace CGAL::Surface_mesh_constrictions;
+using real_meshes::read;
 using test_meshes::Mesh;
 
 typedef CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3> Exact_mesh;
-
-template <class AnyMesh>
-AnyMesh read(const std::string& name)
-{
-  AnyMesh mesh;
-  EXPECT_TRUE(CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name + ".off", mesh)) << name;
-  return mesh;
-}
 
 // The combinatorics of what is found.
 template <class AnyMesh>
@@ -73,9 +66,9 @@ TEST_P(TwentyMeshes, SameCombinatorialCurvesWithInexactAndExactPoints)
 }
 
 INSTANTIATE_TEST_SUITE_P(Certificates, TwentyMeshes,
-                         ::testing::Values("cactus", "eight", "elephant", "hand", "cow", "bull", "homer", "knot",
-                                           "pipe", "joint", "anchor", "rotor", "pinion", "spool", "couplingdown",
-                                           "helmet", "elk", "triceratops", "femur", "oblong"));
+                         ::testing::Values("cactus.off", "eight.off", "elephant.off", "hand.off", "cow.off", "bull.off", "homer.off", "knot.off",
+                                           "pipe.off", "joint.off", "anchor.off", "rotor.off", "pinion.off", "spool.off", "couplingdown.off",
+                                           "helmet.off", "elk.off", "triceratops.off", "femur.off", "oblong.off"));
 
 class FoundCurves : public ::testing::TestWithParam<const char*>
 {};
@@ -97,13 +90,13 @@ TEST_P(FoundCurves, AreCertifiedAndNoTieIsLeft)
 }
 
 INSTANTIATE_TEST_SUITE_P(Certificates, FoundCurves,
-                         ::testing::Values("cactus", "eight", "elephant", "camel", "dino", "knot2", "pipe", "joint",
-                                           "anchor", "turbine", "rotor_small", "pinion", "spool", "couplingdown",
-                                           "mpi_triang"));
+                         ::testing::Values("cactus.off", "eight.off", "elephant.off", "camel.off", "dino.off", "knot2.off", "pipe.off", "joint.off",
+                                           "anchor.off", "turbine.off", "rotor_small.off", "pinion.off", "spool.off", "couplingdown.off",
+                                           "mpi_triang.off"));
 
 TEST(Certificates, ExactArithmeticCorrectsMachineParts)
 {
-  for(const char* name : {"couplingdown", "spool", "anchor"})
+  for(const char* name : {"couplingdown.off", "spool.off", "anchor.off"})
   {
     const Mesh mesh = read<Mesh>(name);
     std::vector<Constriction<Mesh> > uncertified;
@@ -246,9 +239,7 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
       const Mesh::Vertex_index v = stack.back();
       stack.pop_back();
       for(Mesh::Vertex_index w : vertices_around_target(mesh.halfedge(v), mesh))
-      {
         put_on(w, side_at_end(v, w, 0, side[v]));
-      }
     }
     Interval inside[2] = {0, 0};
     for(Mesh::Vertex_index v : mesh.vertices())
@@ -268,6 +259,6 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
 }
 
 INSTANTIATE_TEST_SUITE_P(Certificates, GenusZero,
-                         ::testing::Values("cactus", "bull", "cow", "hand", "homer", "dino", "triceratops", "camel"));
+                         ::testing::Values("cactus.off", "bull.off", "cow.off", "hand.off", "homer.off", "dino.off", "triceratops.off", "camel.off"));
 
 } // namespace test_certificate_real_meshes

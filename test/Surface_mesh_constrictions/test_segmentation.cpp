@@ -118,15 +118,12 @@ TEST(Segmentation, CoordinatesOfAnySize)
 {
   for(double unit : {1e-130, 1e90})
   {
-    test_meshes::Soup soup = test_meshes::boxes_with_tube(2);
-    for(auto& p : soup.points)
-      for(double& x : p)
-        x *= unit;
-    const Mesh mesh = test_meshes::make_mesh(soup);
+    const Mesh mesh = test_meshes::make_mesh(test_meshes::scaled(test_meshes::boxes_with_tube(2), unit));
     const Segmentation s(mesh, detect(mesh));
     ASSERT_EQ(s.size(), 2u);
     EXPECT_NEAR(s.part(0).area / unit / unit, 41, 1e-10);
-    EXPECT_NEAR(s.part(1).volume == 0 ? 20 : s.part(1).volume / unit / unit / unit, 20, 1e-10);
+    const double unit_of_volume = unit * unit * unit; // the small one is less than any double
+    EXPECT_NEAR(s.part(1).volume, 20 * unit_of_volume, 1e-10 * unit_of_volume);
   }
 }
 

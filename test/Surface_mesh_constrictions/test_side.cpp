@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 
 #include <CGAL/Side_of_triangle_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +17,7 @@
 namespace test_side {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
+using real_meshes::read;
 using test_meshes::Mesh;
 typedef Mesh::Point Point;
 typedef SMC::Constriction<Mesh> Constriction;
@@ -77,14 +78,6 @@ Counts expect_spanned_surface_on_its_side(const Mesh& mesh)
     }
   }
   return counts;
-}
-
-Mesh read(const std::string& name)
-{
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name, mesh))
-    ADD_FAILURE() << "cannot read " << name;
-  return mesh;
 }
 
 // The neck of the inner wall separates the surface, and what it chokes is the space inside the bottle.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "include/displaced_curves.h"
+#include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
@@ -11,7 +12,6 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +25,7 @@
 namespace test_verification {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
+using real_meshes::read;
 using test_meshes::Mesh;
 using test_meshes::Soup;
 typedef SMC::Constriction<Mesh> Constriction;
@@ -38,13 +39,6 @@ std::vector<SMC::Constriction<Graph> > detect(const Graph& mesh)
       mesh, std::back_inserter(curves),
       SMC::parameters::all_constrictions(true, SMC::parameters::seed_detection(SMC::Seed_detection::ON_APPEARANCE)));
   return curves;
-}
-
-Mesh read(const std::string& name)
-{
-  Mesh mesh;
-  EXPECT_TRUE(CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name, mesh)) << name;
-  return mesh;
 }
 
 const char* const real_meshes[] = {"cactus.off", "eight.off", "elephant.off", "camel.off", "man.off",
