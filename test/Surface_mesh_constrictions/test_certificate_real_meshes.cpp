@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates of what is found on real meshes.
+#include "include/detect.h"
 #include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_arithmetic.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -32,6 +31,8 @@
 namespace test_certificate_real_meshes {
 
 using namespace CGAL::Surface_mesh_constrictions;
+using detection::detect;
+using detection::detect_all;
 using real_meshes::read;
 using test_meshes::Mesh;
 
@@ -41,10 +42,8 @@ typedef CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Po
 template <class AnyMesh>
 std::vector<std::vector<std::size_t> > combinatorial_curves(const AnyMesh& mesh)
 {
-  std::vector<Constriction<AnyMesh> > found;
-  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
   std::vector<std::vector<std::size_t> > result;
-  for(const auto& c : found)
+  for(const auto& c : detect_all(mesh))
   {
     result.emplace_back();
     for(const auto& l : c.locations())
@@ -66,9 +65,10 @@ TEST_P(TwentyMeshes, SameCombinatorialCurvesWithInexactAndExactPoints)
 }
 
 INSTANTIATE_TEST_SUITE_P(Certificates, TwentyMeshes,
-                         ::testing::Values("cactus.off", "eight.off", "elephant.off", "hand.off", "cow.off", "bull.off", "homer.off", "knot.off",
-                                           "pipe.off", "joint.off", "anchor.off", "rotor.off", "pinion.off", "spool.off", "couplingdown.off",
-                                           "helmet.off", "elk.off", "triceratops.off", "femur.off", "oblong.off"));
+                         ::testing::Values("cactus.off", "eight.off", "elephant.off", "hand.off", "cow.off", "bull.off",
+                                           "homer.off", "knot.off", "pipe.off", "joint.off", "anchor.off", "rotor.off",
+                                           "pinion.off", "spool.off", "couplingdown.off", "helmet.off", "elk.off",
+                                           "triceratops.off", "femur.off", "oblong.off"));
 
 class FoundCurves : public ::testing::TestWithParam<const char*>
 {};
@@ -77,8 +77,7 @@ class FoundCurves : public ::testing::TestWithParam<const char*>
 TEST_P(FoundCurves, AreCertifiedAndNoTieIsLeft)
 {
   const Mesh mesh = read<Mesh>(GetParam());
-  std::vector<Constriction<Mesh> > found;
-  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
+  const std::vector<Constriction<Mesh> > found = detect_all(mesh);
   EXPECT_FALSE(found.empty());
   for(const auto& c : found)
   {
@@ -90,8 +89,9 @@ TEST_P(FoundCurves, AreCertifiedAndNoTieIsLeft)
 }
 
 INSTANTIATE_TEST_SUITE_P(Certificates, FoundCurves,
-                         ::testing::Values("cactus.off", "eight.off", "elephant.off", "camel.off", "dino.off", "knot2.off", "pipe.off", "joint.off",
-                                           "anchor.off", "turbine.off", "rotor_small.off", "pinion.off", "spool.off", "couplingdown.off",
+                         ::testing::Values("cactus.off", "eight.off", "elephant.off", "camel.off", "dino.off",
+                                           "knot2.off", "pipe.off", "joint.off", "anchor.off", "turbine.off",
+                                           "rotor_small.off", "pinion.off", "spool.off", "couplingdown.off",
                                            "mpi_triang.off"));
 
 TEST(Certificates, ExactArithmeticCorrectsMachineParts)
@@ -99,11 +99,8 @@ TEST(Certificates, ExactArithmeticCorrectsMachineParts)
   for(const char* name : {"couplingdown.off", "spool.off", "anchor.off"})
   {
     const Mesh mesh = read<Mesh>(name);
-    std::vector<Constriction<Mesh> > uncertified;
-    detect_constrictions(mesh, std::back_inserter(uncertified),
-                         parameters::certify(false, parameters::all_constrictions(true)));
     std::size_t refused = 0;
-    for(const auto& c : uncertified)
+    for(const auto& c : detect(mesh, parameters::certify(false, parameters::all_constrictions(true))))
     {
       EXPECT_EQ(c.certificate().verdict, Certificate_verdict::NOT_COMPUTED);
       refused += !certify_constriction(mesh, c).is_certified();
@@ -171,8 +168,7 @@ class GenusZero : public ::testing::TestWithParam<const char*>
 TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
 {
   const Mesh mesh = read<Mesh>(GetParam());
-  std::vector<Constriction<Mesh> > found;
-  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
+  const std::vector<Constriction<Mesh> > found = detect_all(mesh);
   EXPECT_FALSE(found.empty());
   const Surface surface(mesh, mesh.points());
   internal::Sign_prover<Surface> prover(surface);
@@ -259,6 +255,7 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
 }
 
 INSTANTIATE_TEST_SUITE_P(Certificates, GenusZero,
-                         ::testing::Values("cactus.off", "bull.off", "cow.off", "hand.off", "homer.off", "dino.off", "triceratops.off", "camel.off"));
+                         ::testing::Values("cactus.off", "bull.off", "cow.off", "hand.off", "homer.off", "dino.off",
+                                           "triceratops.off", "camel.off"));
 
 } // namespace test_certificate_real_meshes

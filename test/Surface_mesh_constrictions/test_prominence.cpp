@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/detect.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
@@ -18,22 +18,11 @@
 namespace test_prominence {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
+using detection::detect;
+using detection::detect_all;
+using detection::detect_all_from_triangles;
 using test_meshes::Mesh;
 typedef SMC::Constriction<Mesh> Constriction;
-
-std::vector<Constriction> detect_all(const Mesh& mesh)
-{
-  std::vector<Constriction> result;
-  SMC::detect_constrictions(mesh, std::back_inserter(result), SMC::parameters::all_constrictions(true));
-  return result;
-}
-
-std::vector<Constriction> detect(const Mesh& mesh)
-{
-  std::vector<Constriction> result;
-  SMC::detect_constrictions(mesh, std::back_inserter(result));
-  return result;
-}
 
 // Linear between heights 0, 1/n, ..., 1.
 double profile(const std::vector<double>& radii, double s)
@@ -126,20 +115,13 @@ TEST(Prominence, OfTheMeridiansOfABumpyTorusFewAreProminent)
 // From non-face triangles, which are the same whatever other components there are.
 TEST(Prominence, CurvesOfOtherComponentsDoNotMatter)
 {
-  const auto detect_triangles = [](const Mesh& mesh) {
-    std::vector<Constriction> result;
-    SMC::detect_constrictions(
-        mesh, std::back_inserter(result),
-        SMC::parameters::all_constrictions(true, SMC::parameters::seed_detection(SMC::Seed_detection::ON_APPEARANCE)));
-    return result;
-  };
   const test_meshes::Soup a = test_meshes::dumbbell(0.1, 1), b = test_meshes::boxes_with_tube(3);
   std::multiset<double> expected;
   for(const test_meshes::Soup& soup : {a, b})
-    for(const Constriction& c : detect_triangles(test_meshes::make_mesh(soup)))
+    for(const Constriction& c : detect_all_from_triangles(test_meshes::make_mesh(soup)))
       expected.insert(c.prominence());
   std::multiset<double> found;
-  for(const Constriction& c : detect_triangles(test_meshes::make_mesh(test_meshes::joined(a, b, 20))))
+  for(const Constriction& c : detect_all_from_triangles(test_meshes::make_mesh(test_meshes::joined(a, b, 20))))
     found.insert(c.prominence());
   ASSERT_EQ(found.size(), expected.size());
   for(auto x = found.begin(), y = expected.begin(); x != found.end(); ++x, ++y)

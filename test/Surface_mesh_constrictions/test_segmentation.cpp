@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/detect.h"
 #include "include/grid_torus.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/segment_by_constrictions.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -20,6 +19,7 @@ namespace test_segmentation {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace PMP = CGAL::Polygon_mesh_processing;
+using detection::detect;
 using SMC::Cut_outcome;
 using SMC::segment_by_constrictions;
 using SMC::Surface_parts;
@@ -42,13 +42,6 @@ struct Segmentation
   const SMC::Surface_part& part(std::size_t i) const { return result.parts[i]; }
   bool is_used(std::size_t i) const { return result.outcomes[i].is_used; }
 };
-
-std::vector<Curve> detect(const Mesh& mesh)
-{
-  std::vector<Curve> curves;
-  SMC::detect_constrictions(mesh, std::back_inserter(curves));
-  return curves;
-}
 
 void expect_topology(const SMC::Surface_part& part, std::size_t genus, std::size_t boundaries)
 {

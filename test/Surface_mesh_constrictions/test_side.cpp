@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/detect.h"
 #include "include/real_meshes.h"
 #include "include/test_meshes.h"
-
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 
 #include <CGAL/Side_of_triangle_mesh.h>
 
@@ -17,18 +16,12 @@
 namespace test_side {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
+using detection::detect;
 using real_meshes::read;
 using test_meshes::Mesh;
 typedef Mesh::Point Point;
 typedef SMC::Constriction<Mesh> Constriction;
 typedef CGAL::Side_of_triangle_mesh<Mesh, test_meshes::Kernel> Side_of_mesh;
-
-std::vector<Constriction> detect(const Mesh& mesh)
-{
-  std::vector<Constriction> result;
-  SMC::detect_constrictions(mesh, std::back_inserter(result));
-  return result;
-}
 
 // The share of a surface spanned by the curve that lies in the solid: of points on the chords from the points of the
 // curve to their mean, without the ends, where the surface begins.
