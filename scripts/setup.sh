@@ -31,8 +31,6 @@ if [ "${1:-}" != --program ]; then
     libgtest-dev
     libopenmesh-dev
     python3
-    python3-numpy
-    python3-scipy
     "$@"
   )
   optional+=(munge parallel slurm-wlm)

@@ -32,11 +32,9 @@ int main(int argc, char* argv[])
   }
 
   std::vector<SMC::Constriction<Mesh> > constrictions;
-  SMC::detect_constrictions(
-      mesh, std::back_inserter(constrictions),
-      SMC::parameters::tightening_schedule(SMC::Tightening_schedule::EVERY_LEVEL)
-          .get_cost(SMS::LindstromTurk_cost<SMC::Simplification_mesh>())
-          .get_placement(SMS::LindstromTurk_placement<SMC::Simplification_mesh>()));
+  SMC::detect_constrictions(mesh, std::back_inserter(constrictions),
+                            CGAL::parameters::get_cost(SMS::LindstromTurk_cost<SMC::Simplification_mesh>())
+                                .get_placement(SMS::LindstromTurk_placement<SMC::Simplification_mesh>()));
 
   for(const SMC::Constriction<Mesh>& c : constrictions)
     std::cout << "length " << c.length() << ", prominence " << c.prominence() << std::endl;

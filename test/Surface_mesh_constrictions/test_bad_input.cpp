@@ -99,11 +99,8 @@ TEST(Bad_input, CoordinatesOfWhichTheSquareOverflowsOrVanishes)
 {
   for(double scale : {1e200, 1e-200})
   {
-    test_meshes::Soup soup = test_meshes::boxes_with_tube(2);
-    for(test_meshes::Position& p : soup.points)
-      for(double& x : p)
-        x *= scale;
-    const std::vector<double> lengths = detect(test_meshes::make_mesh(soup));
+    const std::vector<double> lengths =
+        detect(test_meshes::make_mesh(test_meshes::scaled(test_meshes::boxes_with_tube(2), scale)));
     ASSERT_EQ(lengths.size(), 1u);
     EXPECT_NEAR(lengths[0] / scale, 4, 1e-12);
   }

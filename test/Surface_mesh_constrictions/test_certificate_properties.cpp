@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What must hold of certificates on random surfaces and random curves.
+#include "include/detect.h"
 #include "include/exact_models.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Certifier.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
@@ -20,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <numeric>
 #include <random>
 #include <string>
@@ -30,6 +29,8 @@
 namespace test_certificate_properties {
 
 using namespace CGAL::Surface_mesh_constrictions;
+using detection::detect;
+using detection::detect_all;
 using exact_models::Position;
 using exact_models::Soup;
 using test_meshes::Mesh;
@@ -37,13 +38,6 @@ using test_meshes::Mesh;
 typedef CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3> Exact_mesh;
 typedef internal::Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point> > Surface;
 typedef internal::Exact_arc<Surface> Arc;
-
-std::vector<Constriction<Mesh> > detect(const Mesh& mesh)
-{
-  std::vector<Constriction<Mesh> > result;
-  detect_constrictions(mesh, std::back_inserter(result), parameters::all_constrictions(true));
-  return result;
-}
 
 Constriction<Mesh> curve_of_arcs(const std::vector<Arc>& arcs)
 {
@@ -80,7 +74,7 @@ TEST(CertificateProperties, CurvesOneCombinatorialStepAsideAreRefused)
     for(const Soup& soup : {test_meshes::torus(0.1, seed), test_meshes::dumbbell(0.05, seed), test_meshes::boxes_with_tube(2)})
     {
       const Mesh mesh = test_meshes::make_mesh(soup);
-      for(const auto& c : detect(mesh))
+      for(const auto& c : detect_all(mesh))
       {
         ASSERT_TRUE(certify_constriction(mesh, c).is_certified());
         if(c.pivots().size() < 3)
@@ -181,13 +175,8 @@ TEST(CertificateProperties, NothingIsCertifiedOnConvexPolyhedra)
   for(const Soup& soup : convex)
   {
     const Mesh mesh = test_meshes::make_mesh(soup);
-    for(Seed_detection detection : {Seed_detection::ON_APPEARANCE, Seed_detection::ON_REFUSED_COLLAPSE})
-    {
-      std::vector<Constriction<Mesh> > found;
-      detect_constrictions(mesh, std::back_inserter(found),
-                           parameters::seed_detection(detection, parameters::all_constrictions(true)));
-      EXPECT_TRUE(found.empty());
-    }
+    for(Seed_detection when : {Seed_detection::ON_APPEARANCE, Seed_detection::ON_REFUSED_COLLAPSE})
+      EXPECT_TRUE(detect(mesh, parameters::seed_detection(when, parameters::all_constrictions(true))).empty());
     // random walks that close
     for(int walk = 0; walk < 20; ++walk)
     {

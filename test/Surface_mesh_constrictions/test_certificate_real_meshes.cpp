@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates of what is found on real meshes.
+#include "include/detect.h"
+#include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_arithmetic.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_arc.h>
@@ -14,7 +15,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Sign_prover.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact_arcs_of_locations.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/number_utils.h>
 
@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -32,26 +31,19 @@
 namespace test_certificate_real_meshes {
 
 using namespace CGAL::Surface_mesh_constrictions;
+using detection::detect;
+using detection::detect_all;
+using real_meshes::read;
 using test_meshes::Mesh;
 
 typedef CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3> Exact_mesh;
-
-template <class AnyMesh>
-AnyMesh read(const std::string& name)
-{
-  AnyMesh mesh;
-  EXPECT_TRUE(CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name + ".off", mesh)) << name;
-  return mesh;
-}
 
 // The combinatorics of what is found.
 template <class AnyMesh>
 std::vector<std::vector<std::size_t> > combinatorial_curves(const AnyMesh& mesh)
 {
-  std::vector<Constriction<AnyMesh> > found;
-  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
   std::vector<std::vector<std::size_t> > result;
-  for(const auto& c : found)
+  for(const auto& c : detect_all(mesh))
   {
     result.emplace_back();
     for(const auto& l : c.locations())
@@ -73,9 +65,10 @@ TEST_P(TwentyMeshes, SameCombinatorialCurvesWithInexactAndExactPoints)
 }
 
 INSTANTIATE_TEST_SUITE_P(Certificates, TwentyMeshes,
-                         ::testing::Values("cactus", "eight", "elephant", "hand", "cow", "bull", "homer", "knot",
-                                           "pipe", "joint", "anchor", "rotor", "pinion", "spool", "couplingdown",
-                                           "helmet", "elk", "triceratops", "femur", "oblong"));
+                         ::testing::Values("cactus.off", "eight.off", "elephant.off", "hand.off", "cow.off", "bull.off",
+                                           "homer.off", "knot.off", "pipe.off", "joint.off", "anchor.off", "rotor.off",
+                                           "pinion.off", "spool.off", "couplingdown.off", "helmet.off", "elk.off",
+                                           "triceratops.off", "femur.off", "oblong.off"));
 
 class FoundCurves : public ::testing::TestWithParam<const char*>
 {};
@@ -84,8 +77,7 @@ class FoundCurves : public ::testing::TestWithParam<const char*>
 TEST_P(FoundCurves, AreCertifiedAndNoTieIsLeft)
 {
   const Mesh mesh = read<Mesh>(GetParam());
-  std::vector<Constriction<Mesh> > found;
-  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
+  const std::vector<Constriction<Mesh> > found = detect_all(mesh);
   EXPECT_FALSE(found.empty());
   for(const auto& c : found)
   {
@@ -97,20 +89,18 @@ TEST_P(FoundCurves, AreCertifiedAndNoTieIsLeft)
 }
 
 INSTANTIATE_TEST_SUITE_P(Certificates, FoundCurves,
-                         ::testing::Values("cactus", "eight", "elephant", "camel", "dino", "knot2", "pipe", "joint",
-                                           "anchor", "turbine", "rotor_small", "pinion", "spool", "couplingdown",
-                                           "mpi_triang"));
+                         ::testing::Values("cactus.off", "eight.off", "elephant.off", "camel.off", "dino.off",
+                                           "knot2.off", "pipe.off", "joint.off", "anchor.off", "turbine.off",
+                                           "rotor_small.off", "pinion.off", "spool.off", "couplingdown.off",
+                                           "mpi_triang.off"));
 
 TEST(Certificates, ExactArithmeticCorrectsMachineParts)
 {
-  for(const char* name : {"couplingdown", "spool", "anchor"})
+  for(const char* name : {"couplingdown.off", "spool.off", "anchor.off"})
   {
     const Mesh mesh = read<Mesh>(name);
-    std::vector<Constriction<Mesh> > uncertified;
-    detect_constrictions(mesh, std::back_inserter(uncertified),
-                         parameters::certify(false, parameters::all_constrictions(true)));
     std::size_t refused = 0;
-    for(const auto& c : uncertified)
+    for(const auto& c : detect(mesh, parameters::certify(false, parameters::all_constrictions(true))))
     {
       EXPECT_EQ(c.certificate().verdict, Certificate_verdict::NOT_COMPUTED);
       refused += !certify_constriction(mesh, c).is_certified();
@@ -178,8 +168,7 @@ class GenusZero : public ::testing::TestWithParam<const char*>
 TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
 {
   const Mesh mesh = read<Mesh>(GetParam());
-  std::vector<Constriction<Mesh> > found;
-  detect_constrictions(mesh, std::back_inserter(found), parameters::all_constrictions(true));
+  const std::vector<Constriction<Mesh> > found = detect_all(mesh);
   EXPECT_FALSE(found.empty());
   const Surface surface(mesh, mesh.points());
   internal::Sign_prover<Surface> prover(surface);
@@ -246,9 +235,7 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
       const Mesh::Vertex_index v = stack.back();
       stack.pop_back();
       for(Mesh::Vertex_index w : vertices_around_target(mesh.halfedge(v), mesh))
-      {
         put_on(w, side_at_end(v, w, 0, side[v]));
-      }
     }
     Interval inside[2] = {0, 0};
     for(Mesh::Vertex_index v : mesh.vertices())
@@ -268,6 +255,7 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
 }
 
 INSTANTIATE_TEST_SUITE_P(Certificates, GenusZero,
-                         ::testing::Values("cactus", "bull", "cow", "hand", "homer", "dino", "triceratops", "camel"));
+                         ::testing::Values("cactus.off", "bull.off", "cow.off", "hand.off", "homer.off", "dino.off",
+                                           "triceratops.off", "camel.off"));
 
 } // namespace test_certificate_real_meshes

@@ -83,16 +83,7 @@ TEST(Enumeration, WhatIsEnumeratedIsClosedGeodesics)
   const Enumeration e(mesh, 8);
   EXPECT_GE(e.constrictions().size(), 20u);
   for(const Constriction& c : e.constrictions())
-  {
-    SMC::Certificate certificate = SMC::certify_constriction(mesh, c);
-    EXPECT_EQ(certificate.verdict, SMC::Certificate_verdict::STRICT_CONSTRICTION);
-    std::vector<Mesh::Point> points;
-    c.points(mesh, std::back_inserter(points));
-    double length = 0;
-    for(std::size_t i = 0; i < points.size(); ++i)
-      length += std::sqrt(CGAL::squared_distance(points[i], points[(i + 1) % points.size()]));
-    EXPECT_NEAR(length, c.length(), 1e-9);
-  }
+    geodesic_check::expect_closed_geodesic(mesh, c);
 }
 
 // How many there are, and how many of them are found.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/real_meshes.h"
 #include "include/same_curves.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -13,7 +13,8 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
+#include <atomic>
+#include <cstddef>
 #include <vector>
 
 namespace test_concurrency {
@@ -49,9 +50,7 @@ TEST(Concurrency, ALargeMeshGivesTheSameWithAnyNumberOfThreads)
 
 TEST(Concurrency, ManyCurvesAreTheSameWithAnyNumberOfThreads)
 {
-  test_meshes::Mesh mesh;
-  ASSERT_TRUE(CGAL::IO::read_polygon_mesh(std::string(CONSTRICTIONS_MESH_DIR) + "/elephant.off", mesh));
-  expect_same_with_threads(mesh, 300, SMC::parameters::all_constrictions(true));
+  expect_same_with_threads(real_meshes::read("elephant.off"), 300, SMC::parameters::all_constrictions(true));
 }
 
 TEST(Concurrency, AVisitorIsCalledByOneThreadAtATimeAndItsStepsGrow)
@@ -59,24 +58,34 @@ TEST(Concurrency, AVisitorIsCalledByOneThreadAtATimeAndItsStepsGrow)
   struct Visitor
     : public SMC::Detection_visitor_base
   {
-    std::size_t* last;
-    bool* is_sorted;
+    struct Record
+    {
+      std::size_t steps = 0, last = 0;
+      bool is_sorted = true;
+      std::atomic<int> inside = 0;
+      std::atomic<bool> is_alone = true;
+    };
+    Record* record;
 
-    void on_stage_begin(SMC::Detection_stage, std::size_t) const { *last = 0; }
+    void on_stage_begin(SMC::Detection_stage, std::size_t) const { record->last = 0; }
     void on_step(SMC::Detection_stage, std::size_t done) const
     {
-      *is_sorted = *is_sorted && *last <= done;
-      *last = done;
+      if(++record->inside > 1)
+        record->is_alone = false;
+      ++record->steps;
+      record->is_sorted = record->is_sorted && record->last <= done;
+      record->last = done;
+      --record->inside;
     }
   };
-  std::size_t last = 0;
-  bool is_sorted = true;
+  Visitor::Record record;
   Visitor visitor;
-  visitor.last = &last;
-  visitor.is_sorted = &is_sorted;
+  visitor.record = &record;
   const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::chain_of_necks(0.002, 1, 400, 90));
   same_curves::detect<CGAL::Parallel_if_available_tag>(mesh, CGAL::parameters::visitor(visitor));
-  EXPECT_TRUE(is_sorted);
+  EXPECT_GT(record.steps, 0u);
+  EXPECT_TRUE(record.is_sorted);
+  EXPECT_TRUE(record.is_alone);
 }
 
 } // namespace test_concurrency

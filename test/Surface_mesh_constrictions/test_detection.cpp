@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/geodesic_check.h"
+#include "include/statistics_taker.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
@@ -25,19 +26,12 @@ namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace SMS = CGAL::Surface_mesh_simplification;
 using SMC::Seed_detection;
 using SMC::Tightening_schedule;
+using statistics_taker::Statistics_taker;
 using test_meshes::Mesh;
 typedef SMC::Constriction<Mesh> Constriction;
 
 const std::vector<Seed_detection> detections = {Seed_detection::ON_APPEARANCE, Seed_detection::ON_REFUSED_COLLAPSE};
 const std::vector<Tightening_schedule> schedules = {Tightening_schedule::EVERY_LEVEL, Tightening_schedule::AT_THE_END};
-
-struct Statistics_taker
-  : public SMC::Detection_visitor_base
-{
-  SMC::Detection_statistics* statistics;
-  explicit Statistics_taker(SMC::Detection_statistics& s) : statistics(&s) {}
-  void on_end(const SMC::Detection_statistics& s) const { *statistics = s; }
-};
 
 std::vector<Constriction> detect(const Mesh& mesh, Seed_detection detection = Seed_detection::ON_APPEARANCE,
                                  Tightening_schedule schedule = Tightening_schedule::AT_THE_END)

@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <gtest/gtest.h>
 
@@ -28,15 +27,6 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef SMS::Edge_profile<Mesh, SMC::internal::Lean_point_map, Kernel> Lean_profile;
 typedef SMS::Edge_profile<Mesh, SMC::internal::Simplification_point_map, Kernel> Full_profile;
 
-// A torus with holes of one face and more.
-Mesh torus_with_border()
-{
-  Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.2, 7));
-  for(unsigned f = 0; f < 40; ++f)
-    CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(3 * f)), mesh);
-  return mesh;
-}
-
 template <class Profile>
 std::vector<std::array<Mesh::Vertex_index, 3> > triangles(const Profile& profile)
 {
@@ -48,7 +38,7 @@ std::vector<std::array<Mesh::Vertex_index, 3> > triangles(const Profile& profile
 
 TEST(EdgeProfile, TheLeanOneAnswersLikeThatOfCGAL)
 {
-  Mesh mesh = torus_with_border();
+  Mesh mesh = test_meshes::torus_with_border();
   const SMC::internal::Simplification_point_map points = get(CGAL::vertex_point, mesh);
   const SMC::internal::Lean_point_map lean_points(points);
   const Kernel traits;
@@ -100,7 +90,7 @@ std::vector<SMC::Edge_collapse> collapses(Mesh mesh)
 // Lindstrom and Turk ask for triangles, link and borders.
 TEST(EdgeProfile, TheLeanOneLeadsToTheSameCollapses)
 {
-  for(const Mesh& mesh : {test_meshes::make_mesh(test_meshes::torus(0.1, 5)), torus_with_border()})
+  for(const Mesh& mesh : {test_meshes::make_mesh(test_meshes::torus(0.1, 5)), test_meshes::torus_with_border()})
   {
     const auto lean = collapses<SMC::internal::Lean_point_map>(mesh);
     const auto full = collapses<SMC::internal::Simplification_point_map>(mesh);

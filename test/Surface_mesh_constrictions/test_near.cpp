@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/real_meshes.h"
+#include "include/statistics_taker.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions_near.h>
-
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +18,8 @@ namespace test_near {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace params = CGAL::Surface_mesh_constrictions::parameters;
+using real_meshes::read;
+using statistics_taker::Statistics_taker;
 using test_meshes::Mesh;
 typedef Mesh::Point Point;
 typedef SMC::Constriction<Mesh> Constriction;
@@ -40,14 +42,6 @@ Point center(const Mesh& mesh, const Constriction& c)
   for(const Point& p : points)
     sum = sum + (p - CGAL::ORIGIN);
   return CGAL::ORIGIN + sum / static_cast<double>(points.size());
-}
-
-Mesh read(const std::string& name)
-{
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name, mesh))
-    ADD_FAILURE() << "cannot read " << name;
-  return mesh;
 }
 
 TEST(Near, OnANeckOfAChainThatNeckComesFirst)
@@ -135,14 +129,6 @@ TEST(Near, TheNumberIsThatOfTheNearestAndPlacesFollow)
     EXPECT_GE(c.prominence(), 0.05);
 }
 
-struct Statistics_taker
-  : public SMC::Detection_visitor_base
-{
-  SMC::Detection_statistics* statistics;
-  explicit Statistics_taker(SMC::Detection_statistics& s) : statistics(&s) {}
-  void on_end(const SMC::Detection_statistics& s) const { *statistics = s; }
-};
-
 TEST(Near, TheStatisticsAddUp)
 {
   const Mesh mesh = read("cactus.off");
@@ -174,10 +160,7 @@ TEST(Near, CoordinatesMayBeLargeOrSmall)
 {
   for(double unit : {1e-200, 1e200})
   {
-    test_meshes::Soup soup = test_meshes::chain_of_necks(0.005, 1);
-    for(test_meshes::Position& p : soup.points)
-      for(double& x : p)
-        x *= unit;
+    const test_meshes::Soup soup = test_meshes::scaled(test_meshes::chain_of_necks(0.005, 1), unit);
     const std::vector<Constriction> curves =
         near(test_meshes::make_mesh(soup), Point(0, 0.5 * unit, 6 * unit), params::certify(false));
     ASSERT_FALSE(curves.empty());

@@ -362,6 +362,7 @@ TEST_F(Program, wrong_usage)
   expect_wrong_usage("detect dumbbell.off --json ''");
   expect_wrong_usage("detect dumbbell.off -o ''");
   expect_wrong_usage("tighten dumbbell.off");
+  expect_wrong_usage("tighten dumbbell.off --loops ''");
   expect_wrong_usage("detect dumbbell.off --max -1");
   expect_wrong_usage("detect dumbbell.off --min-prominence high");
   expect_wrong_usage("detect dumbbell.off --min-prominence -0.1");

@@ -132,9 +132,8 @@ protected:
         const auto& corners = soup.faces[f];
         if(std::find(corners.begin(), corners.end(), v) == corners.end())
           continue;
-        locations.push_back({{"face", f}, {"barycentric", {corners[0] == v, corners[1] == v, corners[2] == v}}});
-        for(json& x : locations.back()["barycentric"])
-          x = x.get<bool>() ? 1 : 0;
+        locations.push_back(
+            {{"face", f}, {"barycentric", {int(corners[0] == v), int(corners[1] == v), int(corners[2] == v)}}});
         break;
       }
     }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/detect.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
-
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <gtest/gtest.h>
 
@@ -20,22 +18,11 @@
 namespace test_prominence {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
+using detection::detect;
+using detection::detect_all;
+using detection::detect_all_from_triangles;
 using test_meshes::Mesh;
 typedef SMC::Constriction<Mesh> Constriction;
-
-std::vector<Constriction> detect_all(const Mesh& mesh)
-{
-  std::vector<Constriction> result;
-  SMC::detect_constrictions(mesh, std::back_inserter(result), SMC::parameters::all_constrictions(true));
-  return result;
-}
-
-std::vector<Constriction> detect(const Mesh& mesh)
-{
-  std::vector<Constriction> result;
-  SMC::detect_constrictions(mesh, std::back_inserter(result));
-  return result;
-}
 
 // Linear between heights 0, 1/n, ..., 1.
 double profile(const std::vector<double>& radii, double s)
@@ -98,11 +85,8 @@ TEST(Prominence, LabelsUnitsAndTheDirectionOfTheFacesDoNotMatter)
   const test_meshes::Soup soup = test_meshes::dumbbell(0.1, 3);
   const std::vector<Constriction> expected = detect_all(test_meshes::make_mesh(soup));
   ASSERT_FALSE(expected.empty());
-  test_meshes::Soup large = soup;
-  for(test_meshes::Position& p : large.points)
-    for(double& x : p)
-      x *= 1e150;
-  for(const test_meshes::Soup& other : {test_meshes::relabelled(soup, 7), test_meshes::inside_out(soup), large})
+  for(const test_meshes::Soup& other :
+      {test_meshes::relabelled(soup, 7), test_meshes::inside_out(soup), test_meshes::scaled(soup, 1e150)})
   {
     const std::vector<Constriction> found = detect_all(test_meshes::make_mesh(other));
     ASSERT_EQ(found.size(), expected.size());
@@ -131,20 +115,13 @@ TEST(Prominence, OfTheMeridiansOfABumpyTorusFewAreProminent)
 // From non-face triangles, which are the same whatever other components there are.
 TEST(Prominence, CurvesOfOtherComponentsDoNotMatter)
 {
-  const auto detect_triangles = [](const Mesh& mesh) {
-    std::vector<Constriction> result;
-    SMC::detect_constrictions(
-        mesh, std::back_inserter(result),
-        SMC::parameters::all_constrictions(true, SMC::parameters::seed_detection(SMC::Seed_detection::ON_APPEARANCE)));
-    return result;
-  };
   const test_meshes::Soup a = test_meshes::dumbbell(0.1, 1), b = test_meshes::boxes_with_tube(3);
   std::multiset<double> expected;
   for(const test_meshes::Soup& soup : {a, b})
-    for(const Constriction& c : detect_triangles(test_meshes::make_mesh(soup)))
+    for(const Constriction& c : detect_all_from_triangles(test_meshes::make_mesh(soup)))
       expected.insert(c.prominence());
   std::multiset<double> found;
-  for(const Constriction& c : detect_triangles(test_meshes::make_mesh(test_meshes::joined(a, b, 20))))
+  for(const Constriction& c : detect_all_from_triangles(test_meshes::make_mesh(test_meshes::joined(a, b, 20))))
     found.insert(c.prominence());
   ASSERT_EQ(found.size(), expected.size());
   for(auto x = found.begin(), y = expected.begin(); x != found.end(); ++x, ++y)

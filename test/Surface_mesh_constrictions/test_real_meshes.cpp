@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
-// Meshes of CGAL's data set, from Debian's package libcgal-demo.
-
 #include "include/geodesic_check.h"
+#include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
-
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <gtest/gtest.h>
 
@@ -24,13 +20,8 @@ typedef SMC::Constriction<Mesh> Constriction;
 
 std::vector<Constriction> detect(const std::string& name)
 {
-  Mesh mesh;
+  const Mesh mesh = real_meshes::read(name);
   std::vector<Constriction> curves;
-  if(!CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name, mesh))
-  {
-    ADD_FAILURE() << "cannot read " << name;
-    return curves;
-  }
   SMC::detect_constrictions(mesh, std::back_inserter(curves), SMC::parameters::all_constrictions(true));
   for(const Constriction& c : curves)
     geodesic_check::expect_closed_geodesic(mesh, c, 1e-7);

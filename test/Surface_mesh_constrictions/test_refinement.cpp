@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/record_collapses.h"
 #include "include/test_meshes.h"
 
-#include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
-
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +15,6 @@
 namespace test_refinement {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
-namespace SMS = CGAL::Surface_mesh_simplification;
 using SMC::Index;
 using SMC::Progressive_mesh;
 using SMC::Tightening_schedule;
@@ -28,12 +23,7 @@ typedef std::vector<std::size_t> Seeds;
 Progressive_mesh simplified(const test_meshes::Mesh& mesh, std::vector<SMC::Seed_curve>& seeds)
 {
   test_meshes::Mesh copy = mesh;
-  SMC::Collapse_record record;
-  const auto vim = get(boost::vertex_index, copy);
-  SMS::edge_collapse(copy, [](double, const auto&, std::size_t, std::size_t) { return false; },
-                     CGAL::parameters::get_cost(SMS::Edge_length_cost<test_meshes::Mesh>())
-                         .get_placement(SMS::Midpoint_placement<test_meshes::Mesh>())
-                         .visitor(SMC::Collapse_recording_visitor<decltype(vim)>(record, vim)));
+  const SMC::Collapse_record record = record_collapses::record_collapses(copy);
   Progressive_mesh pm = SMC::make_progressive_mesh(mesh, std::vector<SMC::Edge_collapse>());
   for(const SMC::Edge_collapse& c : record.collapses)
   {
@@ -122,7 +112,7 @@ TEST_P(Refinement, CurvesAreLegalOnEveryLevelAndEverySeedIsAccountedForOnce)
   }
 }
 
-TEST_P(Refinement, SeedsOfAnyLengthAreCarriedUp)
+TEST_P(Refinement, SeedsOfAnyLengthAreCarriedToTheInput)
 {
   const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.1, 4));
   std::vector<SMC::Seed_curve> triangles;

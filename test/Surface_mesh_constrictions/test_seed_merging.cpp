@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/record_collapses.h"
 #include "include/test_meshes.h"
 
-#include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Crossing_filter.h>
@@ -11,10 +11,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
-
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include <gtest/gtest.h>
 
@@ -27,20 +23,13 @@
 namespace test_seed_merging {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
-namespace SMS = CGAL::Surface_mesh_simplification;
 using SMC::Index;
 
 SMC::Progressive_mesh simplified(const test_meshes::Soup& soup)
 {
   test_meshes::Mesh mesh = test_meshes::make_mesh(soup);
   const test_meshes::Mesh input = mesh;
-  SMC::Collapse_record record;
-  const auto vim = get(boost::vertex_index, mesh);
-  SMS::edge_collapse(mesh, [](double, const auto&, std::size_t, std::size_t) { return false; },
-                     CGAL::parameters::get_cost(SMS::Edge_length_cost<test_meshes::Mesh>())
-                         .get_placement(SMS::Midpoint_placement<test_meshes::Mesh>())
-                         .visitor(SMC::Collapse_recording_visitor<decltype(vim)>(record, vim)));
-  return SMC::make_progressive_mesh(input, record.collapses);
+  return SMC::make_progressive_mesh(input, record_collapses::record_collapses(mesh).collapses);
 }
 
 std::vector<SMC::Seed_curve> cut_locus_loops(SMC::Progressive_mesh& pm, std::size_t level)
@@ -123,7 +112,6 @@ TEST(MergeSeedCurves, OnTheInputOneSeedIsKeptOfThoseThatMeet)
   EXPECT_EQ(all_seeds(merged).size(), seeds.size());
 }
 
-// Tightening on the way on a fine level hands on every seed too.
 // Around the tube, around the hole, and around both: the last is composed of the other two, which it crosses.
 TEST(MergeSeedCurves, WhatIsComposedOfShorterOnesIsKeptOnlyIfAskedFor)
 {

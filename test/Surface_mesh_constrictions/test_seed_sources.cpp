@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/statistics_taker.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
@@ -27,6 +28,7 @@ namespace SMC = CGAL::Surface_mesh_constrictions;
 using SMC::Index;
 using SMC::Seed_curve;
 using SMC::Seed_origin;
+using statistics_taker::Statistics_taker;
 
 void expect_closed_path(const SMC::Progressive_mesh& pm, const Seed_curve& seed)
 {
@@ -309,14 +311,6 @@ TEST(SectionSeeds, ComponentsAreCutApart)
   EXPECT_GT(count[false], 0u);
 }
 
-struct Statistics_taker
-  : public SMC::Detection_visitor_base
-{
-  SMC::Detection_statistics* statistics;
-  explicit Statistics_taker(SMC::Detection_statistics& s) : statistics(&s) {}
-  void on_end(const SMC::Detection_statistics& s) const { *statistics = s; }
-};
-
 template <class Source>
 std::vector<SMC::Constriction<test_meshes::Mesh> > detect(const test_meshes::Mesh& mesh, const Source& source,
                                                           SMC::Detection_statistics& statistics)
@@ -377,7 +371,7 @@ TEST(SeedSources, EverySeedIsAccountedFor)
   }
 }
 
-TEST(SeedSources, SaddleConditionKeepsTrianglesOfSaddlesOnly)
+TEST(SeedSources, SaddleConditionKeepsSeedsOfSaddlesOnly)
 {
   const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::prism(3, 2));
   const SMC::Seed_level level = {6, 0, SMC::null_index, nullptr};

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/record_collapses.h"
 #include "include/test_meshes.h"
 
-#include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
-
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include <gtest/gtest.h>
 
@@ -20,7 +16,6 @@
 namespace test_seeds {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
-namespace SMS = CGAL::Surface_mesh_simplification;
 using SMC::Index;
 typedef std::set<std::array<Index, 3> > Triangles;
 
@@ -67,24 +62,14 @@ void add(const std::vector<SMC::Seed_curve>& seeds, std::size_t level, Triangles
   }
 }
 
-SMC::Collapse_record record_of(test_meshes::Mesh mesh)
-{
-  SMC::Collapse_record record;
-  const auto vim = get(boost::vertex_index, mesh);
-  SMS::edge_collapse(mesh, [](double, const auto&, std::size_t, std::size_t) { return false; },
-                     CGAL::parameters::get_cost(SMS::Edge_length_cost<test_meshes::Mesh>())
-                         .get_placement(SMS::Midpoint_placement<test_meshes::Mesh>())
-                         .visitor(SMC::Collapse_recording_visitor<decltype(vim)>(record, vim)));
-  return record;
-}
-
 TEST(Seeds, AllTrianglesThatAppearAreFoundAtTheMergedVertex)
 {
   for(unsigned seed = 0; seed < 4; ++seed)
   {
     const test_meshes::Mesh mesh = test_meshes::make_mesh(seed % 2 == 0 ? test_meshes::dumbbell(0.1, seed, 10, 6)
                                                                        : test_meshes::torus(0.2, seed, 9, 5));
-    const SMC::Collapse_record record = record_of(mesh);
+    test_meshes::Mesh simplified = mesh;
+    const SMC::Collapse_record record = record_collapses::record_collapses(simplified);
     SMC::Progressive_mesh pm = SMC::make_progressive_mesh(mesh, std::vector<SMC::Edge_collapse>());
     std::vector<SMC::Seed_curve> seeds;
     SMC::non_face_triangles(pm, std::back_inserter(seeds));
@@ -116,7 +101,8 @@ TEST(Seeds, AllTrianglesThatAppearAreFoundAtTheMergedVertex)
 TEST(Seeds, ARefusedCollapseGivesNonFaceTrianglesOfItsLevelEachOnce)
 {
   const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.2, 1, 12, 6));
-  const SMC::Collapse_record record = record_of(mesh);
+  test_meshes::Mesh simplified = mesh;
+  const SMC::Collapse_record record = record_collapses::record_collapses(simplified);
   ASSERT_FALSE(record.refused_seeds.empty());
   SMC::Progressive_mesh pm = SMC::make_progressive_mesh(mesh, record.collapses);
   Triangles seen;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/detect.h"
 #include "include/grid_torus.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/segment_by_constrictions.h>
 
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -22,6 +21,7 @@ namespace test_segmentation {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace PMP = CGAL::Polygon_mesh_processing;
+using detection::detect;
 using SMC::Cut_outcome;
 using SMC::segment_by_constrictions;
 using SMC::Surface_parts;
@@ -44,13 +44,6 @@ struct Segmentation
   const SMC::Surface_part& part(std::size_t i) const { return result.parts[i]; }
   bool is_used(std::size_t i) const { return result.outcomes[i].is_used; }
 };
-
-std::vector<Curve> detect(const Mesh& mesh)
-{
-  std::vector<Curve> curves;
-  SMC::detect_constrictions(mesh, std::back_inserter(curves));
-  return curves;
-}
 
 void expect_topology(const SMC::Surface_part& part, std::size_t genus, std::size_t boundaries)
 {
@@ -141,8 +134,7 @@ TEST(Segmentation, GeneraAreThoseThatTheCurveIsKnownToPart)
   for(const test_meshes::Soup& soup : soups)
   {
     const Mesh mesh = test_meshes::make_mesh(soup);
-    std::vector<Curve> curves;
-    SMC::detect_constrictions(mesh, std::back_inserter(curves), SMC::parameters::all_constrictions(true));
+    const std::vector<Curve> curves = detection::detect_all(mesh);
     for(const Curve& c : curves)
     {
       const Segmentation s(mesh, {c});
@@ -163,15 +155,12 @@ TEST(Segmentation, CoordinatesOfAnySize)
 {
   for(double unit : {1e-130, 1e90})
   {
-    test_meshes::Soup soup = test_meshes::boxes_with_tube(2);
-    for(auto& p : soup.points)
-      for(double& x : p)
-        x *= unit;
-    const Mesh mesh = test_meshes::make_mesh(soup);
+    const Mesh mesh = test_meshes::make_mesh(test_meshes::scaled(test_meshes::boxes_with_tube(2), unit));
     const Segmentation s(mesh, detect(mesh));
     ASSERT_EQ(s.size(), 2u);
     EXPECT_NEAR(s.part(0).area / unit / unit, 41, 1e-10);
-    EXPECT_NEAR(s.part(1).volume == 0 ? 20 : s.part(1).volume / unit / unit / unit, 20, 1e-10);
+    const double unit_of_volume = unit * unit * unit; // the small one is less than any double
+    EXPECT_NEAR(s.part(1).volume, 20 * unit_of_volume, 1e-10 * unit_of_volume);
   }
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
-
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +18,7 @@ namespace test_selection {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace params = CGAL::Surface_mesh_constrictions::parameters;
+using real_meshes::read;
 using test_meshes::Mesh;
 typedef SMC::Constriction<Mesh> Constriction;
 
@@ -128,14 +128,6 @@ TEST(Selection, PlacesInTheHierarchySkipThoseThatAreNotSelected)
   ASSERT_TRUE(selected[1].dominated_by());
   EXPECT_EQ(*selected[1].dominated_by(), 2u);
   EXPECT_FALSE(selected[2].dominated_by());
-}
-
-Mesh read(const std::string& name)
-{
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name, mesh))
-    ADD_FAILURE() << "cannot read " << name;
-  return mesh;
 }
 
 std::size_t number_of_equals(const std::vector<Constriction>& a, const std::vector<Constriction>& b)

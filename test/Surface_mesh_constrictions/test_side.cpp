@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/detect.h"
+#include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
-
 #include <CGAL/Side_of_triangle_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <gtest/gtest.h>
 
@@ -17,17 +16,12 @@
 namespace test_side {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
+using detection::detect;
+using real_meshes::read;
 using test_meshes::Mesh;
 typedef Mesh::Point Point;
 typedef SMC::Constriction<Mesh> Constriction;
 typedef CGAL::Side_of_triangle_mesh<Mesh, test_meshes::Kernel> Side_of_mesh;
-
-std::vector<Constriction> detect(const Mesh& mesh)
-{
-  std::vector<Constriction> result;
-  SMC::detect_constrictions(mesh, std::back_inserter(result));
-  return result;
-}
 
 // The share of a surface spanned by the curve that lies in the solid: of points on the chords from the points of the
 // curve to their mean, without the ends, where the surface begins.
@@ -77,14 +71,6 @@ Counts expect_spanned_surface_on_its_side(const Mesh& mesh)
     }
   }
   return counts;
-}
-
-Mesh read(const std::string& name)
-{
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name, mesh))
-    ADD_FAILURE() << "cannot read " << name;
-  return mesh;
 }
 
 // The neck of the inner wall separates the surface, and what it chokes is the space inside the bottle.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/grid_torus.h"
 #include "include/parts_check.h"
+#include "include/random_loops.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Polyhedron_3.h>
@@ -10,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <deque>
 #include <iterator>
 #include <map>
 #include <random>
@@ -31,42 +31,14 @@ class Split : public testing::Test
 typedef testing::Types<Mesh, Exact_mesh, Polyhedron> Meshes;
 TYPED_TEST_SUITE(Split, Meshes, );
 
-template <class Graph>
-std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> random_loop(const Graph& mesh, std::mt19937& random)
-{
-  typedef typename boost::graph_traits<Graph>::vertex_descriptor Vertex;
-  const std::vector<Vertex> all(vertices(mesh).begin(), vertices(mesh).end());
-  std::vector<Vertex> loop;
-  while(loop.size() < 3)
-  {
-    std::array<Vertex, 4> corners;
-    for(Vertex& v : corners)
-      v = all[random() % all.size()];
-    loop.clear();
-    for(std::size_t i = 0; i < corners.size(); ++i)
-    {
-      // fewest edges, by breadth-first search
-      const Vertex to = corners[(i + 1) % corners.size()];
-      std::map<Vertex, Vertex> next = {{to, to}};
-      for(std::deque<Vertex> queue = {to}; next.count(corners[i]) == 0; queue.pop_front())
-        for(Vertex w : CGAL::vertices_around_target(halfedge(queue.front(), mesh), mesh))
-          if(next.emplace(w, queue.front()).second)
-            queue.push_back(w);
-      for(Vertex v = corners[i]; v != to; v = next.at(v))
-        loop.push_back(v);
-    }
-  }
-  return loop;
-}
-
 // Closed geodesics that loops of edges are tightened to. Some are the same, touch or cross.
 template <class Graph>
 std::vector<SMC::Constriction<Graph>> random_geodesics(const Graph& mesh, unsigned seed)
 {
   std::mt19937 random(seed);
-  std::vector<std::vector<typename boost::graph_traits<Graph>::vertex_descriptor>> loops;
+  std::vector<random_loops::Loop<Graph>> loops;
   for(int i = 0; i < 8; ++i)
-    loops.push_back(random_loop(mesh, random));
+    loops.push_back(random_loops::random_loop(mesh, random));
   std::vector<SMC::Tightened_curve<Graph>> tightened;
   SMC::tighten_closed_curves(mesh, loops, std::back_inserter(tightened), SMC::parameters::certify(false));
   std::vector<SMC::Constriction<Graph>> result;
@@ -222,7 +194,7 @@ TYPED_TEST(Split, ABadCurveLeavesTheMeshAlone)
   EXPECT_EQ(edges(torus.mesh).size(), before);
 }
 
-TEST(Split_order, PartsWithoutCapsHaveBorders)
+TEST(Extract_parts, WithoutCapsHaveBorders)
 {
   grid_torus::Grid_torus<Mesh> torus(6, 6);
   auto marks = torus.mesh.add_property_map<Mesh::Edge_index, bool>("e:mark", false).first;
@@ -242,7 +214,7 @@ TEST(Split_order, PartsWithoutCapsHaveBorders)
   EXPECT_EQ(closed[0].number_of_faces(), 80u); // two hexagons
 }
 
-TEST(Split_order, PartsAreLimitedInNumber)
+TEST(Split_parts, AreLimitedInNumber)
 {
   for(std::size_t n = 1; n <= 4; ++n)
   {

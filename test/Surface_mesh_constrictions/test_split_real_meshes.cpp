@@ -3,10 +3,10 @@
 // Real meshes split along the constrictions that are selected, and along all.
 
 #include "include/parts_check.h"
+#include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <gtest/gtest.h>
 
@@ -23,10 +23,7 @@ using test_meshes::Mesh;
 
 void expect_parts_of_file(const std::string& name, std::size_t number_of_parts)
 {
-  const std::string file = CONSTRICTIONS_MESH_DIR "/" + name;
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(file, mesh))
-    FAIL() << "cannot read " << file;
+  Mesh mesh = real_meshes::read(name);
   std::vector<SMC::Constriction<Mesh>> selected, all;
   SMC::detect_constrictions(mesh, std::back_inserter(selected), SMC::parameters::certify(false));
   SMC::detect_constrictions(mesh, std::back_inserter(all),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <gtest/gtest.h>
@@ -20,6 +20,7 @@ namespace test_stability {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace params = CGAL::Surface_mesh_constrictions::parameters;
+using real_meshes::read;
 using test_meshes::Mesh;
 using test_meshes::Soup;
 typedef Mesh::Point Point;
@@ -107,14 +108,6 @@ Mesh with_noise(const Mesh& mesh, double share, unsigned seed)
     result.point(v) = mesh.point(v) + size * CGAL::Vector_3<test_meshes::Kernel>(x, y, z);
   }
   return result;
-}
-
-Mesh read(const std::string& name)
-{
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name, mesh))
-    ADD_FAILURE() << "cannot read " << name;
-  return mesh;
 }
 
 // With one percent of noise, in two triangulations.

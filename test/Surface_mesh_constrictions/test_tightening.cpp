@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/exact_models.h"
 #include "include/geodesic_check.h"
+#include "include/random_loops.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
@@ -19,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <iterator>
 #include <memory>
 #include <random>
@@ -56,47 +56,10 @@ double length_of(const Mesh& mesh, const Loop& loop)
   return length;
 }
 
-// Fewest edges, by breadth-first search.
-Loop path(const Mesh& mesh, Mesh::Vertex_index from, Mesh::Vertex_index to)
-{
-  std::vector<Mesh::Vertex_index> previous(mesh.num_vertices(), Mesh::null_vertex());
-  std::deque<Mesh::Vertex_index> queue = {to};
-  previous[to] = to;
-  while(previous[from] == Mesh::null_vertex())
-  {
-    const Mesh::Vertex_index v = queue.front();
-    queue.pop_front();
-    for(auto w : CGAL::vertices_around_target(mesh.halfedge(v), mesh))
-      if(previous[w] == Mesh::null_vertex())
-      {
-        previous[w] = v;
-        queue.push_back(w);
-      }
-  }
-  Loop result;
-  for(auto v = from; v != to; v = previous[v])
-    result.push_back(v);
-  return result;
-}
-
-// A closed walk through some random vertices; it may cross itself and run to and fro.
 Loop random_loop(const Mesh& mesh, unsigned seed)
 {
   std::mt19937 random(seed);
-  Loop loop;
-  while(loop.size() < 3)
-  {
-    std::vector<Mesh::Vertex_index> corners;
-    for(int i = 0; i < 4; ++i)
-      corners.push_back(Mesh::Vertex_index(static_cast<Index>(random() % mesh.num_vertices())));
-    loop.clear();
-    for(std::size_t i = 0; i < corners.size(); ++i)
-    {
-      const Loop piece = path(mesh, corners[i], corners[(i + 1) % corners.size()]);
-      loop.insert(loop.end(), piece.begin(), piece.end());
-    }
-  }
-  return loop;
+  return random_loops::random_loop(mesh, random);
 }
 
 TEST(Tightening, ALoopAroundASharpConeIsDegenerate)

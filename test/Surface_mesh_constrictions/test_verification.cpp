@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "include/detect.h"
 #include "include/displaced_curves.h"
+#include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Arc_verifier.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_nodes.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
@@ -11,13 +12,11 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,29 +24,14 @@
 namespace test_verification {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
+using detection::detect_all_from_triangles;
+using real_meshes::read;
 using test_meshes::Mesh;
 using test_meshes::Soup;
 typedef SMC::Constriction<Mesh> Constriction;
 typedef SMC::Arc_refusal Refusal;
 
-template <class Graph>
-std::vector<SMC::Constriction<Graph> > detect(const Graph& mesh)
-{
-  std::vector<SMC::Constriction<Graph> > curves;
-  SMC::detect_constrictions(
-      mesh, std::back_inserter(curves),
-      SMC::parameters::all_constrictions(true, SMC::parameters::seed_detection(SMC::Seed_detection::ON_APPEARANCE)));
-  return curves;
-}
-
-Mesh read(const std::string& name)
-{
-  Mesh mesh;
-  EXPECT_TRUE(CGAL::IO::read_polygon_mesh(CONSTRICTIONS_MESH_DIR "/" + name, mesh)) << name;
-  return mesh;
-}
-
-const char* const real_meshes[] = {"cactus.off", "eight.off", "elephant.off", "camel.off", "man.off",
+const char* const names_of_meshes[] = {"cactus.off", "eight.off", "elephant.off", "camel.off", "man.off",
                                    "armadillo.off", "bull.off", "dino.off", "homer.off", "knot2.off"};
 
 std::vector<Mesh> small_meshes()
@@ -101,7 +85,7 @@ Constriction horizontal_curve(const Mesh& mesh, double height)
 
 void expect_all_confirmed(const Mesh& mesh, const std::string& name)
 {
-  const std::vector<Constriction> curves = detect(mesh);
+  const std::vector<Constriction> curves = detect_all_from_triangles(mesh);
   EXPECT_FALSE(curves.empty()) << name;
   for(const Constriction& c : curves)
   {
@@ -116,7 +100,7 @@ void expect_all_confirmed(const Mesh& mesh, const std::string& name)
 
 TEST(Verification, ConfirmsWhatIsDetectedOnRealMeshes)
 {
-  for(const char* name : real_meshes)
+  for(const char* name : names_of_meshes)
     expect_all_confirmed(read(name), name);
 }
 
@@ -147,7 +131,7 @@ std::size_t expect_all_refused(const Mesh& mesh, const std::vector<Constriction>
 std::size_t expect_displacements_refused(const Mesh& mesh, std::size_t stride, const std::string& name)
 {
   std::size_t number = 0;
-  for(const Constriction& c : detect(mesh))
+  for(const Constriction& c : detect_all_from_triangles(mesh))
   {
     const displaced_curves::Displacements<Mesh> displacements(mesh, c, stride);
     number += expect_all_refused(mesh, displacements.through_neighbours(), name + " through a neighbour");
@@ -169,14 +153,14 @@ TEST(Verification, RefusesDisplacedCurvesOnSmallMeshes)
 
 TEST(Verification, RefusesDisplacedCurvesOnRealMeshes)
 {
-  for(const char* name : real_meshes)
+  for(const char* name : names_of_meshes)
     EXPECT_GE(expect_displacements_refused(read(name), 7, name), 30u);
 }
 
 TEST(Verification, DoesNotDependOnTheLengthOfArcs)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.1, 4));
-  for(const Constriction& c : detect(mesh))
+  for(const Constriction& c : detect_all_from_triangles(mesh))
   {
     const displaced_curves::Displacements<Mesh> displacements(mesh, c, 1);
     for(std::size_t faces = 0; faces < 8; ++faces)
@@ -236,7 +220,7 @@ TEST(Verification, NoCrossingIsOnlyTheEndOfAnArc)
 TEST(Verification, NamesTheArcThatWasMoved)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.1, 4));
-  const Constriction c = detect(mesh).front();
+  const Constriction c = detect_all_from_triangles(mesh).front();
   for(std::size_t i = 0; i < c.locations().size(); ++i)
     if(!c.locations()[i].is_pivot)
     {
@@ -412,7 +396,7 @@ TEST(Verification, DoesNotDependOnUnitAndOrigin)
 TEST(Verification, TakesPointsFromTheVertexPointMap)
 {
   Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.1, 4));
-  const std::vector<Constriction> curves = detect(mesh);
+  const std::vector<Constriction> curves = detect_all_from_triangles(mesh);
   auto squeezed = mesh.add_property_map<Mesh::Vertex_index, Mesh::Point>("v:squeezed").first;
   for(Mesh::Vertex_index v : mesh.vertices())
     squeezed[v] = Mesh::Point(mesh.point(v).x(), mesh.point(v).y() / 2, mesh.point(v).z());
@@ -427,7 +411,7 @@ TEST(Verification, TakesAPolyhedron)
 {
   typedef CGAL::Polyhedron_3<CGAL::Exact_predicates_exact_constructions_kernel> Polyhedron;
   const auto mesh = test_meshes::make_graph<Polyhedron>(test_meshes::torus(0.1, 3));
-  const auto curves = detect(mesh);
+  const auto curves = detect_all_from_triangles(mesh);
   EXPECT_FALSE(curves.empty());
   for(const auto& c : curves)
     EXPECT_TRUE(SMC::verify_with_shortest_paths(mesh, c).is_confirmed());

@@ -3,10 +3,10 @@
 // The verification with kernels of exact number types. Exact square roots are within reach for patches of a few faces
 // only: strips of two faces, and stars of six in which no two ways are equally long.
 
+#include "include/detect.h"
 #include "include/displaced_curves.h"
 #include "include/test_meshes.h"
 
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/verify_with_shortest_paths.h>
 
@@ -17,7 +17,6 @@
 
 #include <gtest/gtest.h>
 
-#include <iterator>
 #include <vector>
 
 namespace test_verification_exact_kernels {
@@ -29,10 +28,7 @@ typedef displaced_curves::Displacements<Mesh> Displacements;
 
 std::vector<Constriction> detect(const Mesh& mesh)
 {
-  std::vector<Constriction> curves;
-  SMC::detect_constrictions(
-      mesh, std::back_inserter(curves),
-      SMC::parameters::all_constrictions(true, SMC::parameters::seed_detection(SMC::Seed_detection::ON_APPEARANCE)));
+  const std::vector<Constriction> curves = detection::detect_all_from_triangles(mesh);
   EXPECT_FALSE(curves.empty());
   return curves;
 }

@@ -27,11 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string error_text(int error)
-{
-  return std::generic_category().message(error);
-}
-
 std::string file_name(const Slice& slice)
 {
   if(slice.count == 1)

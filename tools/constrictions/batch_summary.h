@@ -17,9 +17,6 @@ class Batch_summary
 public:
   void add(const Batch_line& line);
 
-  std::size_t meshes() const { return m_meshes; }
-  std::size_t failed() const;
-
   std::string as_table() const;
 
 private:
@@ -28,6 +25,8 @@ private:
     double seconds;
     std::string file;
   };
+
+  std::size_t failed() const;
 
   std::size_t m_meshes = 0, m_faces = 0, m_constrictions = 0, m_certified = 0;
   double m_seconds = 0;

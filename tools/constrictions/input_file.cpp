@@ -11,15 +11,6 @@
 
 namespace constrictions {
 
-namespace {
-
-std::string error_text(int error)
-{
-  return std::generic_category().message(error);
-}
-
-} // namespace
-
 Input_file_error::Input_file_error(const std::string& file, const std::string& reason)
   : std::runtime_error(printable(file) + ": " + reason)
 {}
@@ -55,6 +46,8 @@ Input_file read_input_file(const std::string& name)
   file.content.resize(filled);
   return file;
 }
+
+std::string error_text(int error) { return std::generic_category().message(error); }
 
 std::string printable(std::string_view text)
 {

@@ -29,6 +29,9 @@ struct Input_file
 /// reads a whole file. Throws `Input_file_error` for a folder, a device, and a file that cannot be read.
 Input_file read_input_file(const std::string& name);
 
+/// what the system says of a value of `errno`
+std::string error_text(int error);
+
 /// `text` with control characters replaced, so that it can stand in a message of one line.
 std::string printable(std::string_view text);
 

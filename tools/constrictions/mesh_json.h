@@ -15,7 +15,7 @@ namespace constrictions {
 /// the member "mesh" of the program's JSON objects
 nlohmann::ordered_json mesh_as_json(const std::string& file, const Mesh& mesh);
 
-/// the name of a side in JSON
+/// the name of a side, in JSON and in tables
 const char* side_name(CGAL::Surface_mesh_constrictions::Side side);
 
 } // namespace constrictions

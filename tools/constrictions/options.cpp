@@ -63,6 +63,12 @@ void add_mesh(CLI::App& command, Options& options)
       ->check(not_empty);
 }
 
+void add_no_certify(CLI::App& command, Search& search)
+{
+  command.add_flag_callback("--no-certify", [&search] { search.certifies = false; },
+                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+}
+
 void add_common_options(CLI::App& command, Options& options)
 {
   const CLI::Validator not_dash([](const std::string& name) { return name == "-" ? "give the name of a file" : ""; },
@@ -81,8 +87,7 @@ void add_common_options(CLI::App& command, Options& options)
       ->type_name("FILE")
       ->check(not_empty)
       ->check(not_dash);
-  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
-                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+  add_no_certify(command, options.search);
   command.add_flag("--quiet", options.quiet, "show no progress bar");
   command.footer("\nWithout -o, --json and --polylines a table is printed.\n");
 }
@@ -102,8 +107,7 @@ void add_certify_options(CLI::App& command, Options& options)
   add_mesh(command, options);
   command
       .add_option("--curves", options.curves,
-                  "closed curves on the mesh: the locations and pivots of a JSON file as detect and tighten write "
-                  "it")
+                  "closed curves on the mesh: the locations and pivots of a JSON file as detect and tighten write it")
       ->type_name("FILE")
       ->required()
       ->check(not_empty);
@@ -156,8 +160,7 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
       ->type_name("object|complement")
       ->check(CLI::IsMember({"object", "complement"}).description(""));
   command.add_flag("--open", options.segmentation.open, "do not close the holes of the parts");
-  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
-                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+  add_no_certify(command, options.search);
   command.add_flag("--quiet", options.quiet, "show no progress bar, and print no table");
   command.footer("\nPrints a table of the parts. Of two curves that cross the more prominent one cuts.\n");
 }
@@ -172,8 +175,7 @@ void add_view_options(CLI::App& command, Options& options)
       ->type_name("FILE.html")
       ->required()
       ->check(not_empty);
-  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
-                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+  add_no_certify(command, options.search);
   command.add_flag("--quiet", options.quiet, "show no progress bar");
   command.footer("\nA slider in the page shows more curves: weaker ones, down to a prominence of 0.01, or all with --all.\n");
 }
@@ -306,8 +308,7 @@ void add_batch_options(CLI::App& command, Options& options)
           "take every N-th mesh only, from the I-th on, and write DIR/results.I-of-N.jsonl: for the tasks of a job array")
       ->type_name("I/N")
       ->check(is_slice);
-  command.add_flag_callback("--no-certify", [&options] { options.search.certifies = false; },
-                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+  add_no_certify(command, options.search);
   command.add_flag("--quiet", options.quiet, "show no progress, and print no table");
   command.footer("\nEach mesh is gone through in a process of its own, so a failure is no more than a line with its "
                  "reason.\nWithout -o the lines are printed. To have a mesh done again, delete its line.\n");
@@ -343,12 +344,12 @@ void check_files(const Options& options)
   }
 }
 
-// A file in the folder asked for, and the file asked for.
-std::vector<std::string> files(const std::string& folder, const char* name_in_folder, const std::string& file)
+// Of a kind of file with curves: the one in the folder asked for, and the one asked for by its name.
+std::vector<std::string> files(const Options& options, const char* name_in_folder, const std::string& file)
 {
   std::vector<std::string> result;
-  if(!folder.empty())
-    result.push_back((fs::path(folder) / name_in_folder).string());
+  if(!options.folder.empty() && options.command != Command::SEGMENT)
+    result.push_back(options.file_in_folder(name_in_folder));
   if(!file.empty() && file != "-")
     result.push_back(file);
   return result;
@@ -356,30 +357,18 @@ std::vector<std::string> files(const std::string& folder, const char* name_in_fo
 
 } // namespace
 
-std::vector<std::string> Options::json_files() const
-{
-  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.json", json);
-}
+std::string Options::file_in_folder(const std::string& name) const { return (fs::path(folder) / name).string(); }
 
-std::string Options::file_in_folder(const std::string& name) const
-{
-  return (fs::path(folder) / name).string();
-}
+std::vector<std::string> Options::json_files() const { return files(*this, "constrictions.json", json); }
 
 std::vector<std::string> Options::polylines_files() const
 {
-  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.polylines.txt", polylines);
+  return files(*this, "constrictions.polylines.txt", polylines);
 }
 
-std::vector<std::string> Options::ply_files() const
-{
-  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.ply", "");
-}
+std::vector<std::string> Options::ply_files() const { return files(*this, "constrictions.ply", ""); }
 
-std::vector<std::string> Options::vtp_files() const
-{
-  return files(command == Command::SEGMENT ? std::string() : folder, "constrictions.vtp", "");
-}
+std::vector<std::string> Options::vtp_files() const { return files(*this, "constrictions.vtp", ""); }
 
 std::optional<int> parse_options(int argc, char** argv, Options& options)
 {
@@ -404,7 +393,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
                   "closed loops of mesh edges, one a line: vertex numbers counted from 0 and separated by blanks, the "
                   "first not repeated; lines that start with # are passed over")
       ->type_name("FILE")
-      ->required();
+      ->required()
+      ->check(not_empty);
 
   CLI::App& certify = *app.add_subcommand("certify", "prove that given curves are constrictions");
   add_certify_options(certify, options);

@@ -80,7 +80,7 @@ struct Options
   std::vector<std::string> ply_files() const;
   std::vector<std::string> vtp_files() const;
 
-  /// a file for the parts, in the folder
+  /// the file of this name in the folder
   std::string file_in_folder(const std::string& name) const;
 };
 

@@ -17,11 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string error_text(int error)
-{
-  return std::generic_category().message(error);
-}
-
 // A file with a name of its own in the folder of the target, which it becomes when renamed. Removed otherwise.
 class Temporary_file
 {

@@ -49,7 +49,7 @@ std::string parts_as_json(const Report& report, const Parts& parts)
                      {"face_parts", parts.part_of_input_face},
                      {"seconds",
                       {{"read", t.read},
-                       {"detect", t.simplify + t.refine + t.tighten + t.certify},
+                       {"detect", t.simplify + t.seeds + t.refine + t.tighten + t.certify + t.select},
                        {"cut", parts.seconds},
                        {"total", t.total}}}};
   // a file name need not be UTF-8, JSON must be

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report.h"
 
+#include "mesh_json.h"
+
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
@@ -9,12 +11,6 @@
 namespace constrictions {
 
 namespace {
-
-const char* name(CGAL::Surface_mesh_constrictions::Side side)
-{
-  using CGAL::Surface_mesh_constrictions::Side;
-  return side == Side::OBJECT ? "object" : side == Side::COMPLEMENT ? "complement" : "mixed";
-}
 
 const char* name(const CGAL::Surface_mesh_constrictions::Certificate& certificate)
 {
@@ -49,7 +45,7 @@ std::string report_as_table(const Report& report)
   {
     const Constriction& c = report.constrictions[id];
     out << setw(5) << id << setw(14) << c.length() << setw(12) << prominence(c) << setw(8) << c.locations().size()
-        << setw(8) << c.pivots().size() << setw(12) << (c.is_separating() ? "yes" : "no") << setw(12) << name(c.side())
+        << setw(8) << c.pivots().size() << setw(12) << (c.is_separating() ? "yes" : "no") << setw(12) << side_name(c.side())
         << setw(12) << name(c.certificate()) << setw(12) << c.seeds().front().level << '\n';
   }
   for(const std::string& remark : report.remarks)
@@ -59,8 +55,8 @@ std::string report_as_table(const Report& report)
   const auto& s = report.statistics;
   out << n << (n == 1 ? " constriction" : " constrictions") << " from " << s.seeds
       << (s.seeds == 1 ? " seed curve" : " seed curves") << " (" << s.degenerate << " degenerate, " << s.discarded
-      << " discarded early, " << s.not_simple << " not simple, " << s.not_certified << " not certified, " << s.merged << " merged, " << s.not_selected
-      << " not selected)\n";
+      << " discarded early, " << s.not_simple << " not simple, " << s.not_certified << " not certified, " << s.merged
+      << " merged, " << s.not_selected << " not selected)\n";
   return out.str();
 }
 

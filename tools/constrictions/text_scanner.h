@@ -64,18 +64,6 @@ public:
     return m_word = std::string_view(begin, static_cast<std::size_t>(m_pos - begin));
   }
 
-  /// the rest of the line without blanks at either end.
-  std::string_view rest_of_line()
-  {
-    skip_blanks();
-    const char* begin = m_pos;
-    skip_line();
-    const char* end = m_pos;
-    while(end != begin && (is_blank(end[-1]) || end[-1] == '\n'))
-      --end;
-    return std::string_view(begin, static_cast<std::size_t>(end - begin));
-  }
-
   /// reads a word as a number; false if there is none or it is something else.
   template <class T>
   bool read(T& value)

@@ -185,13 +185,17 @@ private:
     for(Segment& s : m_segments)
       for(std::size_t t : m_segments_from[s.to])
       {
-        const double total = m_total[s.to];
-        double left = s.end - m_segments[t].start;
-        if(left < 0)
-          left += total;
-        if(left > CGAL_PI - rounding && total - left > CGAL_PI - rounding)
+        const double left = left_angle(s, m_segments[t]);
+        if(left > CGAL_PI - rounding && m_total[s.to] - left > CGAL_PI - rounding)
           s.successors.push_back(t);
       }
+  }
+
+  // Between a segment and one that goes on from its end.
+  double left_angle(const Segment& s, const Segment& t) const
+  {
+    const double angle = s.end - t.start;
+    return angle < 0 ? angle + m_total[s.to] : angle;
   }
 
   // Lengths of shortest paths of segments (Floyd and Warshall): how much a path must get longer before it closes.
@@ -240,8 +244,13 @@ private:
   void close(const std::vector<std::size_t>& path, double length)
   {
     Constriction::Data data;
-    for(std::size_t s : path)
-      data.locations.insert(data.locations.end(), m_segments[s].locations.begin(), m_segments[s].locations.end());
+    for(std::size_t i = 0; i < path.size(); ++i)
+    {
+      const Segment &before = m_segments[path[(i + path.size() - 1) % path.size()]], &s = m_segments[path[i]];
+      const double left = left_angle(before, s);
+      data.pivots.push_back({s.locations[0].vertex, data.locations.size(), left, m_total[s.from] - left});
+      data.locations.insert(data.locations.end(), s.locations.begin(), s.locations.end());
+    }
     data.length = length;
     Constriction curve(data);
     if(!m_known.insert(key(m_mesh, curve)).second)

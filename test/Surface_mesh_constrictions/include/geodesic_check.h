@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <iterator>
 #include <set>
 #include <vector>
 
@@ -31,8 +33,8 @@ Complex unfold(const Point& a, const Point& b, const Point& c, Complex za, Compl
   return za + (zb - za) * Complex(uv, std::sqrt(std::max(0.0, uu * vv - uv * uv))) / uu;
 }
 
-// The greatest distance of a crossing from the straight line between the pivots around it, in the unfolding; and
-// the length of the curve, from its points.
+// The curve is as long as its points say and passes no vertex twice. Both side angles of a pivot are at least pi and add
+// up to its total angle, and between two pivots the crossings lie on a straight line in the unfolding.
 template <class Mesh>
 void expect_closed_geodesic(const Mesh& mesh, const CGAL::Surface_mesh_constrictions::Constriction<Mesh>& c,
                             double tolerance = 1e-9)

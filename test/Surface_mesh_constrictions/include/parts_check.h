@@ -22,16 +22,12 @@
 #include <iterator>
 #include <map>
 #include <set>
-#include <unordered_map>
 #include <vector>
 
 namespace parts_check {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace PMP = CGAL::Polygon_mesh_processing;
-
-template <class Mesh>
-using Face_numbers = std::map<typename boost::graph_traits<Mesh>::face_descriptor, std::size_t>;
 
 template <class Mesh>
 long euler_characteristic(const Mesh& mesh)

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/convex_hull_3.h>
 #include <CGAL/number_utils.h>
 
@@ -307,6 +308,15 @@ inline Soup torus(double noise, unsigned seed, int along = 30, int around = 14, 
   return soup;
 }
 
+// A torus with holes of one face and more.
+inline Mesh torus_with_border()
+{
+  Mesh mesh = make_mesh(torus(0.2, 7));
+  for(unsigned f = 0; f < 40; ++f)
+    CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(3 * f)), mesh);
+  return mesh;
+}
+
 // An apex 0 in the middle of a fan of twelve faces whose angles add up to less than pi, closed by a cap. The vertices
 // 1 ... 12 are the loop around the apex.
 inline Soup sharp_cone()
@@ -355,6 +365,15 @@ inline Soup branches(int cells_per_unit = 1)
 inline Soup two_holes()
 {
   return voxels({{9, 4, 1}}, [](int i, int j, int) { return i == 0 || i == 4 || i == 8 || j == 0 || j == 3; });
+}
+
+// The same surface in another unit.
+inline Soup scaled(Soup soup, double factor)
+{
+  for(Position& p : soup.points)
+    for(double& x : p)
+      x *= factor;
+  return soup;
 }
 
 // The same surface with vertices and faces in another order.

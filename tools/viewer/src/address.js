@@ -21,8 +21,8 @@ const vector = text => {
 const flag = text => text === '1' ? true : text === '0' ? false : undefined;
 const theme = text => ['light', 'dark'].includes(text) ? text : undefined;
 
-const readers = {view: vector, up: vector, zoom: number, select: number, prominence: number, side: text => text.split(','), frame: number, theme,
-  parts: flag, edges: flag, panel: flag, width: number};
+const readers = {view: vector, up: vector, zoom: number, select: number, prominence: number,
+  side: text => text.split(','), frame: number, theme, parts: flag, edges: flag, panel: flag, width: number};
 
 // What cannot be read is left out.
 export function readAddress(hash) {

@@ -5,8 +5,6 @@ import {Line2} from 'three/addons/lines/Line2.js';
 import {LineGeometry} from 'three/addons/lines/LineGeometry.js';
 import {LineMaterial} from 'three/addons/lines/LineMaterial.js';
 
-export const casingWidth = 1.5; // on each side, in pixels
-
 export class ClosedLine {
   // `points` are coordinates, the first point is not repeated
   constructor(points) {
@@ -18,7 +16,7 @@ export class ClosedLine {
       result.renderOrder = order;
       return result;
     };
-    this.ghost = line(false, 1); // shines through the surface
+    this.ghost = line(false, 1);
     this.ghost.material.opacity = 0.3;
     this.casing = line(true, 2);
     this.casing.material.depthWrite = false; // all lines are drawn over it
@@ -28,7 +26,8 @@ export class ClosedLine {
     this.ghost.visible = false;
   }
 
-  set({colour, width, casing, border = casingWidth, ghost = false}) {
+  // `border` is what the casing is wider on each side. A ghost shines through the surface.
+  set({colour, width, casing, border, ghost}) {
     this.line.material.color.set(colour);
     this.line.material.linewidth = width;
     this.casing.material.color.set(casing);

@@ -49,7 +49,8 @@ for (const p of finest.parts)
   ++sizes[p];
 
 if (data.is_simplified)
-  list.note(`Drawn with ${counted(finest.faces.length / 3, 'face')}, simplified. The curves are exact, on the surface of the file.`);
+  list.note(`Drawn with ${counted(finest.faces.length / 3, 'face')}, simplified. `
+    + 'The curves are exact, on the surface of the file.');
 
 // A little from above and from the right; what is flat is seen from its broad side.
 function firstView(points) {
@@ -109,7 +110,7 @@ function refresh() {
   if (surfaceShown !== wanted) {
     surfaceShown = wanted;
     const shown = wanted < 0 ? finest : playback.surface(playback.frame);
-    surface.set(shown, wanted >= 0 && shown.faces.length < 3 * 6000);
+    surface.set(shown, wanted >= 0 && isCoarse(shown.faces));
   }
   if (wanted < 0 && state.showsParts && data.number_of_parts > 1) {
     const cuts = c => isShown(c) && curves[c].cuts;
@@ -127,9 +128,14 @@ function refresh() {
   stage.invalidate();
 }
 
-// Unless the user chooses, edges are drawn on coarse levels, where triangles can be told apart.
+// Whether triangles can be told apart.
+function isCoarse(faces) {
+  return faces.length < 3 * 6000;
+}
+
+// Unless the user chooses, edges are drawn on coarse levels.
 function edgesAreShown() {
-  return state.showsEdges ?? (playback.isOn && !playback.isAtEnd && surface.faces?.length < 3 * 6000);
+  return state.showsEdges ?? (playback.isOn && !playback.isAtEnd && surface.faces !== undefined && isCoarse(surface.faces));
 }
 
 function select(c) {
@@ -197,7 +203,8 @@ canvas.addEventListener('pointerup', event => {
     return;
   const box = canvas.getBoundingClientRect();
   const reach = event.pointerType === 'touch' ? 24 : 10;
-  const c = drawn.at(event.clientX - box.left, event.clientY - box.top, reach, stage.camera, box.width, box.height, isShown);
+  const c = drawn.at(event.clientX - box.left, event.clientY - box.top, reach, stage.camera, box.width, box.height,
+    isShown);
   if (c >= 0 && c !== state.selected)
     select(c);
 });

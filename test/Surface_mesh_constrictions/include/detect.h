@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef DETECT_H
+#define DETECT_H
+
+#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+
+#include <iterator>
+#include <vector>
+
+namespace detection {
+
+template <class Mesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> >
+detect(const Mesh& mesh, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > result;
+  CGAL::Surface_mesh_constrictions::detect_constrictions(mesh, std::back_inserter(result), np);
+  return result;
+}
+
+// Without a selection.
+template <class Mesh>
+std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > detect_all(const Mesh& mesh)
+{
+  return detect(mesh, CGAL::Surface_mesh_constrictions::parameters::all_constrictions(true));
+}
+
+// Without a selection, from non-face triangles only.
+template <class Mesh>
+std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > detect_all_from_triangles(const Mesh& mesh)
+{
+  namespace SMC = CGAL::Surface_mesh_constrictions;
+  return detect(mesh, SMC::parameters::all_constrictions(
+                          true, SMC::parameters::seed_detection(SMC::Seed_detection::ON_APPEARANCE)));
+}
+
+} // namespace detection
+
+#endif // DETECT_H
