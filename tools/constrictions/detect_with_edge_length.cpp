@@ -2,9 +2,8 @@
 #include "computations.h"
 #include "detect_as_asked.h"
 
-#include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
 
 namespace constrictions {
 
@@ -12,11 +11,9 @@ std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Select
                                                   Stage_monitor& monitor, Levels* levels)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
-  namespace SMS = CGAL::Surface_mesh_simplification;
 
-  const auto policies = CGAL::parameters::get_cost(SMS::Edge_length_cost<SMC::Simplification_mesh>())
-                            .get_placement(SMS::Midpoint_placement<SMC::Simplification_mesh>())
-                            .visitor(Monitoring_visitor(monitor));
+  const auto policies = SMC::parameters::simplification_policies(
+      SMC::Edge_length_policies(), CGAL::parameters::visitor(Monitoring_visitor(monitor)));
   return detect_as_asked(mesh, selection, search, levels, policies);
 }
 

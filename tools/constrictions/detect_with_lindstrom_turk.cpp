@@ -2,9 +2,8 @@
 #include "computations.h"
 #include "detect_as_asked.h"
 
-#include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
 
 namespace constrictions {
 
@@ -12,11 +11,9 @@ std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, const Sel
                                                      Stage_monitor& monitor, Levels* levels)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
-  namespace SMS = CGAL::Surface_mesh_simplification;
 
-  const auto policies = CGAL::parameters::get_cost(SMS::LindstromTurk_cost<SMC::Simplification_mesh>())
-                            .get_placement(SMS::LindstromTurk_placement<SMC::Simplification_mesh>())
-                            .visitor(Monitoring_visitor(monitor));
+  const auto policies = SMC::parameters::simplification_policies(
+      SMC::Lindstrom_turk_policies(), CGAL::parameters::visitor(Monitoring_visitor(monitor)));
   return detect_as_asked(mesh, selection, search, levels, policies);
 }
 
