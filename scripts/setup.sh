@@ -14,7 +14,6 @@ packages=(
   cmake
   libcgal-dev
   libcli11-dev
-  libeigen3-dev
   libgmp-dev
   libmpfr-dev
   libtbb-dev
@@ -28,6 +27,7 @@ if [ "${1:-}" != --program ]; then
   packages+=(
     doxygen
     libbenchmark-dev
+    libeigen3-dev
     libgtest-dev
     libopenmesh-dev
     python3

@@ -2,6 +2,7 @@
 // What must hold of certificates on random surfaces and random curves.
 #include "include/detect.h"
 #include "include/exact_models.h"
+#include "include/random_hull.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

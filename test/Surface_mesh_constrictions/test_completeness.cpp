@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/enumerate_constrictions.h"
 #include "include/geodesic_check.h"
+#include "include/random_hull.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/geodesic_check.h"
+#include "include/random_hull.h"
 #include "include/statistics_taker.h"
 #include "include/test_meshes.h"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/random_hull.h"
 #include "include/statistics_taker.h"
 #include "include/test_meshes.h"
 

@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/convex_hull_3.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -181,26 +180,6 @@ inline Soup prism(int n, double height)
     b.triangle(at(0, height), at(i, height), at(i + 1, height));
   }
   return b.soup;
-}
-
-inline Soup random_hull(unsigned seed, int points)
-{
-  std::mt19937 random(seed);
-  std::uniform_int_distribution<int> coordinate(-50, 50);
-  std::vector<Kernel::Point_3> p;
-  for(int i = 0; i < points; ++i)
-    p.emplace_back(coordinate(random), coordinate(random), coordinate(random));
-  Mesh hull;
-  CGAL::convex_hull_3(p.begin(), p.end(), hull);
-  Soup soup;
-  for(auto v : hull.vertices())
-    soup.points.push_back({{hull.point(v).x(), hull.point(v).y(), hull.point(v).z()}});
-  for(auto f : hull.faces())
-  {
-    const auto h = hull.halfedge(f);
-    soup.faces.push_back({{hull.source(h), hull.target(h), hull.target(hull.next(h))}});
-  }
-  return soup;
 }
 
 // A surface of revolution about the z axis with caps, with seeded noise of the given size. The rings of the profile have
