@@ -337,9 +337,9 @@ TEST(SeedSources, EachSourceFindsTheNeckAndSaysSo)
         EXPECT_EQ(s.origin, origin);
   };
   check(SMC::Non_face_triangle_seeds(), Seed_origin::NON_FACE_TRIANGLE);
-  check(SMC::Cut_locus_source(), Seed_origin::CUT_LOCUS);
-  check(SMC::Cut_locus_source(100, 20), Seed_origin::CUT_LOCUS);
-  check(SMC::Section_source(200), Seed_origin::SECTION);
+  check(SMC::Cut_locus_seeds(), Seed_origin::CUT_LOCUS);
+  check(SMC::Cut_locus_seeds(100, 20), Seed_origin::CUT_LOCUS);
+  check(SMC::Section_seeds(200), Seed_origin::SECTION);
 }
 
 TEST(SeedSources, SeveralGiveWhatEachGives)
@@ -347,9 +347,9 @@ TEST(SeedSources, SeveralGiveWhatEachGives)
   const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.1, 4));
   SMC::Detection_statistics triangles, loops, both;
   detect(mesh, SMC::Non_face_triangle_seeds(), triangles);
-  detect(mesh, SMC::Cut_locus_source(100), loops);
-  detect(mesh, SMC::Seed_sources<SMC::Non_face_triangle_seeds, SMC::Cut_locus_source>(SMC::Non_face_triangle_seeds(),
-                                                                                    SMC::Cut_locus_source(100)),
+  detect(mesh, SMC::Cut_locus_seeds(100), loops);
+  detect(mesh, SMC::Seed_sources<SMC::Non_face_triangle_seeds, SMC::Cut_locus_seeds>(SMC::Non_face_triangle_seeds(),
+                                                                                    SMC::Cut_locus_seeds(100)),
          both);
   EXPECT_GT(triangles.seeds, 0u);
   EXPECT_GT(loops.seeds, 0u);

@@ -19,9 +19,9 @@
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Non_face_triangle_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Refused_collapse_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Saddle_seeds}
-/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Cut_locus_source}
-/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Local_cut_locus_source}
-/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Section_source}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Cut_locus_seeds}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Local_cut_locus_seeds}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Section_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Given_seeds}
 /// \cgalHasModelsEnd
 class ConstrictionSeedSource

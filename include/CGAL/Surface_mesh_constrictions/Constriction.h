@@ -157,8 +157,9 @@ public:
   /// constrictions in that sequence
   const std::optional<std::size_t>& dominated_by() const { return m_data->dominated_by; }
 
-  /// the shorter constrictions that the curve crosses, there and back, given by their places as above. Those of
-  /// negligible prominence, less than 0.01, are left out.
+  /// constrictions that the curve crosses, there and back, given by their places as above. Of two that cross each other
+  /// one names the other, as a rule the longer the shorter. Those of negligible prominence, less than 0.01, need not be
+  /// named.
   const std::vector<std::size_t>& crosses() const { return m_data->crosses; }
 
   /// the shorter constrictions that the curve crosses an odd number of times, as an equator of a torus crosses a

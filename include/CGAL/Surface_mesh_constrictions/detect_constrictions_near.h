@@ -4,7 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
-#include <CGAL/Surface_mesh_constrictions/Local_cut_locus_source.h>
+#include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Query_location.h>
 #include <CGAL/Surface_mesh_constrictions/internal/reordered.h>
@@ -44,7 +44,7 @@ struct Statistics_keeper
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// finds the constrictions near a location: "the loop around this arm".
 ///
-/// It is `detect_constrictions()` with seeds that pass through the location: the loops of `Local_cut_locus_source` at
+/// It is `detect_constrictions()` with seeds that pass through the location: the loops of `Local_cut_locus_seeds` at
 /// the vertex of `tm` that is nearest to `location`. The constrictions that the seeds lead to are written in the order
 /// of \f$d (1 + d/L) + L/10\f$, where \f$L\f$ is the length and \f$d\f$ the distance in space from the location, less
 /// the width of the flat band if there is one: the nearest first, but of two that are about as near the shorter one,
@@ -88,7 +88,7 @@ struct Statistics_keeper
 /// \cost that of `detect_constrictions()` with the seeds of 64 roots: hardly more than that of the simplification
 ///
 /// \sa `detect_constrictions()`
-/// \sa `Local_cut_locus_source`
+/// \sa `Local_cut_locus_seeds`
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class Point, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& location, OutputIterator out,
@@ -114,7 +114,7 @@ OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& lo
   std::vector<Constriction<TriangleMesh> > found;
   detect_constrictions<ConcurrencyTag>(
       tm, std::back_inserter(found),
-      parameters::seed_sources(Local_cut_locus_source(query.nearest_vertex()),
+      parameters::seed_sources(Local_cut_locus_seeds(query.nearest_vertex()),
                                parameters::first_constriction_only(false, selection)));
 
   std::vector<double> nearness;

@@ -167,12 +167,12 @@ inline bool is_level_with(const Progressive_mesh& pm, const Seed_level& level, s
 /// \cgalModels{ConstrictionSeedSource}
 ///
 /// \cost for each root O(n log n), for the given number n of vertices
-class Cut_locus_source
+class Cut_locus_seeds
 {
 public:
   /// \param vertices the number of vertices of the surface that the loops are looked for on
   /// \param max_roots see `cut_locus_seeds()`
-  explicit Cut_locus_source(std::size_t vertices = 1000, std::size_t max_roots = 167)
+  explicit Cut_locus_seeds(std::size_t vertices = 1000, std::size_t max_roots = 167)
     : m_vertices(vertices), m_max_roots(max_roots)
   {}
 
@@ -197,11 +197,11 @@ private:
 /// \cgalModels{ConstrictionSeedSource}
 ///
 /// \cost about 5,000 times linear in the given number of vertices
-class Section_source
+class Section_seeds
 {
 public:
   /// \param vertices the number of vertices of the surface that is cut
-  explicit Section_source(std::size_t vertices = 1000) : m_vertices(vertices) {}
+  explicit Section_seeds(std::size_t vertices = 1000) : m_vertices(vertices) {}
 
   /// writes the seeds of the level
   template <class OutputIterator>
@@ -253,10 +253,10 @@ private:
 ///
 /// \cgalModels{ConstrictionSeedSource}
 struct Default_seed_sources
-  : public Seed_sources<Non_face_triangle_seeds, Cut_locus_source, Section_source>
+  : public Seed_sources<Non_face_triangle_seeds, Cut_locus_seeds, Section_seeds>
 {
   /// non-face triangles, cut locus and sections, each with its defaults
-  Default_seed_sources() : Seed_sources(Non_face_triangle_seeds(), Cut_locus_source(), Section_source()) {}
+  Default_seed_sources() : Seed_sources(Non_face_triangle_seeds(), Cut_locus_seeds(), Section_seeds()) {}
 };
 
 } // namespace Surface_mesh_constrictions

@@ -42,7 +42,7 @@ struct Prominence
 {
   double value;
   Index dominated_by;         // or null_index
-  std::vector<Index> crosses; // of the shorter curves, there and back
+  std::vector<Index> crosses; // of the curves known when it was measured, there and back
 };
 
 inline double length(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_LOCAL_CUT_LOCUS_SOURCE_H
-#define CGAL_SURFACE_MESH_CONSTRICTIONS_LOCAL_CUT_LOCUS_SOURCE_H
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_LOCAL_CUT_LOCUS_SEEDS_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_LOCAL_CUT_LOCUS_SEEDS_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
@@ -31,13 +31,13 @@ namespace Surface_mesh_constrictions {
 /// \cost O(size of T^0) for the ids, plus for each root O(n log n), for the given number n of vertices
 ///
 /// \sa `detect_constrictions_near()`
-class Local_cut_locus_source
+class Local_cut_locus_seeds
 {
 public:
   /// \param vertex a vertex of T^0 that is not isolated, numbered as it comes in `vertices(tm)`
   /// \param vertices the number of vertices of the surface that the loops are looked for on
   /// \param max_roots the vertices that are nearest to the given one, along edges, are roots, so many at most
-  explicit Local_cut_locus_source(Index vertex, std::size_t vertices = 1000, std::size_t max_roots = 64)
+  explicit Local_cut_locus_seeds(Index vertex, std::size_t vertices = 1000, std::size_t max_roots = 64)
     : m_vertex(vertex), m_vertices(vertices), m_max_roots(max_roots)
   {}
 
@@ -88,4 +88,4 @@ private:
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_LOCAL_CUT_LOCUS_SOURCE_H
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_LOCAL_CUT_LOCUS_SEEDS_H
