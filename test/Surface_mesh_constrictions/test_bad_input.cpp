@@ -4,6 +4,7 @@
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <gtest/gtest.h>
 
