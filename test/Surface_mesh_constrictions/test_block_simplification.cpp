@@ -109,6 +109,33 @@ TEST(BlockSimplification, WorksWithAllPolicies)
   }
 }
 
+bool are_equal(const SMC::Collapse_record& a, const SMC::Collapse_record& b)
+{
+  return std::equal(a.collapses.begin(), a.collapses.end(), b.collapses.begin(), b.collapses.end(),
+                    [](const SMC::Edge_collapse& c, const SMC::Edge_collapse& d) {
+                      return c.removed == d.removed && c.kept == d.kept && c.point == d.point;
+                    });
+}
+
+// How large a mesh must be to be divided says nothing of how far that goes on.
+TEST(BlockSimplification, WhatIsLeftOfBlocksIsDividedDownToTheSizeOfABlock)
+{
+  const SMC::Garland_heckbert_policies policies;
+  const Block_simplification sooner = small_blocks();
+  Block_simplification later = sooner, as_one = sooner;
+  later.whole_faces = 800;
+  as_one.block_faces = 300;
+  const test_meshes::Mesh large = test_meshes::make_mesh(test_meshes::torus(0.1, 6));
+  ASSERT_GT(large.number_of_faces(), 800u);
+  EXPECT_TRUE(are_equal(simplified(large, sooner, policies), simplified(large, later, policies)));
+  EXPECT_FALSE(are_equal(simplified(large, sooner, policies), simplified(large, as_one, policies)));
+
+  const test_meshes::Mesh small = test_meshes::make_mesh(test_meshes::torus(0.1, 6, 14, 10));
+  ASSERT_LT(small.number_of_faces(), 300u);
+  ASSERT_GT(small.number_of_faces(), 64u);
+  EXPECT_TRUE(are_equal(simplified(small, sooner, policies), simplified(small, std::nullopt, policies)));
+}
+
 TEST(BlockSimplification, RefusedSeedsAreClosedPathsOnTheirLevels)
 {
   for(const test_meshes::Soup& soup : soups())

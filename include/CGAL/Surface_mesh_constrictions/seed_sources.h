@@ -209,7 +209,8 @@ public:
   {
     if(!is_level_with(pm, level, m_vertices))
       return out;
-    return level.is_parallel ? write_sections<Parallel_if_available_tag>(pm, out) : write_sections<Sequential_tag>(pm, out);
+    return level.is_parallel ? write_sections<Parallel_if_available_tag>(pm, out)
+                             : write_sections<Sequential_tag>(pm, out);
   }
 
 private:

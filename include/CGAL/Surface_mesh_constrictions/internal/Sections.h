@@ -60,8 +60,8 @@ public:
   }
 
   // Calls write(loop), a canonical closed path of vertex ids, for the loops of the given number of levels, at equal
-  // distances from the least value to the greatest. Values are given by number in the graph; those that are not finite are
-  // above all levels. O(faces), plus the loops.
+  // distances from the least value to the greatest. Values are given by number in the graph; those that are not finite
+  // are above all levels. O(faces), plus the loops.
   template <class Write>
   void cut(const std::vector<double>& values, std::size_t levels, const Write& write)
   {

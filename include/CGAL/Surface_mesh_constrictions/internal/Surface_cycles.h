@@ -16,18 +16,19 @@ namespace internal {
 
 // Answers for closed curves what they bound, in time that depends on the curve alone.
 //
-// A spanning tree of the vertices, and one of the faces that crosses none of its edges, leave 2g edges of each component
-// of genus g (tree-cotree decomposition, Eppstein, "Dynamic generators of topologically embedded graphs", 2003). Each of
-// these closes a cycle of faces through the tree of faces, and the cycles are a basis of the first homology group. How
-// often a path crosses each of them, modulo 2, is its homology class; a path bounds if and only if all are even.
+// A spanning tree of the vertices, and one of the faces that crosses none of its edges, leave 2g edges of each
+// component of genus g (tree-cotree decomposition, Eppstein, "Dynamic generators of topologically embedded graphs",
+// 2003). Each of these closes a cycle of faces through the tree of faces, and the cycles are a basis of the first
+// homology group. How often a path crosses each of them, modulo 2, is its homology class; a path bounds if and only if
+// all are even.
 class Surface_cycles
 {
 public:
   // Linear.
   explicit Surface_cycles(const Progressive_mesh& pm)
     : m_pm(pm), m_to_parent(pm.number_of_face_ids(), null_index), m_first(pm.number_of_face_ids(), 0),
-      m_end(pm.number_of_face_ids(), 0), m_root(pm.number_of_face_ids(), null_index), m_area(pm.number_of_face_ids(), 0),
-      m_number_of_vertices(pm.number_of_face_ids(), 0)
+      m_end(pm.number_of_face_ids(), 0), m_root(pm.number_of_face_ids(), null_index),
+      m_area(pm.number_of_face_ids(), 0), m_number_of_vertices(pm.number_of_face_ids(), 0)
   {
     std::vector<bool> is_in_tree(pm.number_of_halfedge_ids(), false); // by edge
     span_vertices(is_in_tree);
@@ -43,8 +44,8 @@ public:
   // a face that stands for the component that a face belongs to
   Index component(Index f) const { return m_root[f]; }
 
-  // The basis cycles that a closed path of vertices crosses an odd number of times, ascending. Consecutive vertices may be
-  // equal. O((k + g) log k) for k edges and genus g.
+  // The basis cycles that a closed path of vertices crosses an odd number of times, ascending. Consecutive vertices may
+  // be equal. O((k + g) log k) for k edges and genus g.
   std::vector<Index> homology_class(const std::vector<Index>& path) const
   {
     std::vector<Index> result;
@@ -81,7 +82,8 @@ public:
     return result;
   }
 
-  // The area on the left of a closed path that bounds, up to multiples of the area of the component. Linear in the path.
+  // The area on the left of a closed path that bounds, up to multiples of the area of the component. Linear in the
+  // path.
   double area_on_left(const std::vector<Index>& path) const
   {
     double sum = 0;

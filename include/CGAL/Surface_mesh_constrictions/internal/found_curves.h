@@ -54,7 +54,8 @@ struct Settled_curves
 // cross or touch themselves are among them if `with_not_simple`. Calls on_step() with the number of curves done.
 template <class ConcurrencyTag, class Progress>
 std::vector<Found_curve> tighten_refined(Curve_network& network, const std::vector<Refined_curve>& refined,
-                                         bool with_not_simple, Detection_statistics& statistics, const Progress& on_step)
+                                         bool with_not_simple, Detection_statistics& statistics,
+                                         const Progress& on_step)
 {
   const Progressive_mesh& pm = network.surface();
   const Length_unit unit(pm);
@@ -148,8 +149,8 @@ struct Certified_curves
   std::size_t corrections = 0;
 };
 
-// Certifies curves, drops those that are no constrictions, and merges those that have become the same. make_settler() makes
-// an Exact_settler. Calls on_step() with the number of curves done.
+// Certifies curves, drops those that are no constrictions, and merges those that have become the same. make_settler()
+// makes an Exact_settler. Calls on_step() with the number of curves done.
 template <class ConcurrencyTag, class MakeSettler, class Progress>
 void certify_found(Curve_network& network, const MakeSettler& make_settler, double unit,
                    const std::vector<Refined_curve>& refined, std::vector<Found_curve>& found,

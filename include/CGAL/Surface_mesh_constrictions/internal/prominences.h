@@ -119,10 +119,10 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm,
 // A curve is looked for on a coarse level by a closed geodesic of it that is no more than this longer or shorter.
 constexpr double coarse_length_tolerance = 0.1;
 
-// Prominences of closed geodesics of T^0 among each other, in their order. What lies between them is measured on a coarse
-// level, of those that are there: where tightening leads to a simple closed geodesic of about the same length. Curves that
-// are the same there have no barrier between them: the shortest dominates the others. Those that are not there are measured
-// on T^0, among each other.
+// Prominences of closed geodesics of T^0 among each other, in their order. What lies between them is measured on a
+// coarse level, of those that are there: where tightening leads to a simple closed geodesic of about the same length.
+// Curves that are the same there have no barrier between them: the shortest dominates the others. Those that are not
+// there are measured on T^0, among each other.
 inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Level_copy& coarse,
                                            const std::vector<std::vector<Trace_point> >& traces)
 {

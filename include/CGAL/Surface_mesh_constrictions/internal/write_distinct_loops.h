@@ -19,8 +19,8 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Writes the loops that items give, from the first item to the last, each once, as seeds. One thread works on some
-// consecutive items with a finder of its own: make_finder()(i, write) calls write(loop), a canonical closed path of vertex
-// ids, for each loop of item i.
+// consecutive items with a finder of its own: make_finder()(i, write) calls write(loop), a canonical closed path of
+// vertex ids, for each loop of item i.
 template <class ConcurrencyTag, class MakeFinder, class OutputIterator>
 OutputIterator write_distinct_loops(std::size_t items, std::size_t items_of_group, const MakeFinder& make_finder,
                                     std::size_t level, Seed_origin origin, OutputIterator out)
