@@ -3,12 +3,11 @@
 # Builds the given configurations and runs their tests together. The last line is ctest's summary, the exit code is
 # ctest's.
 #
-#   scripts/test.sh [PRESET[:library|:curves]...]    presets of CMakePresets.json; release if none is given
+#   scripts/test.sh [PRESET[:curves]...]    presets of CMakePresets.json; release if none is given
 #
-# Everything is built and tested; the headers are compiled on their own in the first configuration only. With `:library`
-# the program, the examples and the benchmarks are left out. With `:curves` only two things are tested: that the
-# combinatorial curves of real meshes are those of every other configuration, and that a project can use the installed
-# package.
+# Everything is built and tested; the headers are compiled on their own in the first configuration only, the benchmarks
+# are built in the last one only. With `:curves` only two things are tested: that the combinatorial curves of real meshes are those
+# of every other configuration, and that a project can use the installed package.
 #
 # If CGAL_DIR is set, that CGAL is used instead of the installed one, or of Debian's CGAL 6 by a preset named for it.
 set -euo pipefail
@@ -35,24 +34,36 @@ names=()
 checks_headers=ON
 for configuration in "${configurations[@]}"; do
   preset=${configuration%:*}
-  options=(-DWITH_UNITY_TESTS=ON "-DCONSTRICTIONS_TEST_PREFIX=$preset.")
+  options=(-DWITH_QUICK_COMPILATION=ON "-DCONSTRICTIONS_TEST_PREFIX=$preset.")
   case $configuration in
     *:curves) options+=(-DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_TEST_PROGRAMS=OFF -DWITH_HEADER_CHECK=OFF) ;;
-    *:library) options+=(-DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_HEADER_CHECK=OFF) ;;
     *)
-      options+=(-DWITH_BENCHMARKS=ON "-DWITH_HEADER_CHECK=$checks_headers")
+      options+=("-DWITH_HEADER_CHECK=$checks_headers")
       checks_headers=OFF
       ;;
   esac
+  if [ "$configuration" = "${configurations[-1]}" ]; then
+    options+=(-DWITH_BENCHMARKS=ON)
+  fi
   if [ -n "${CGAL_DIR:-}" ]; then
     options+=("-DCGAL_DIR=$CGAL_DIR")
   elif [[ $preset == *cgal6* ]]; then
     scripts/fetch_cgal.sh trixie build/cgal6
   fi
-  cmake --preset "$preset" "${options[@]}"
-  cmake --build --preset "$preset" --parallel "$jobs"
+  cmake --preset "$preset" -G "Unix Makefiles" "${options[@]}"
   names+=("$preset")
 done
+
+# One make for all of them, so that no processor waits for the last files of each.
+{
+  printf '.PHONY: all'
+  printf ' %s' "${names[@]}"
+  printf '\nall:'
+  printf ' %s' "${names[@]}"
+  printf '\n'
+  printf '%s:\n\t+$(MAKE) --no-print-directory -C $@\n' "${names[@]}"
+} > build/Makefile
+make -C build --jobs "$jobs"
 
 # One run of ctest over all of them.
 printf 'subdirs("%s")\n' "${names[@]}" > build/CTestTestfile.cmake

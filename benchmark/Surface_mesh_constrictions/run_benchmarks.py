@@ -4,8 +4,8 @@
 
     run_benchmarks.py BUILD_DIR MESH_DIR OUT_DIR [--repetitions N]
 
-BUILD_DIR is a build with -DWITH_BENCHMARKS=ON, MESH_DIR has CGAL's armadillo.off and elephant.off. Of several repetitions
-the median is taken; what is compared is measured one after the other on the same mesh. Needs python3-matplotlib.
+BUILD_DIR is a build with -DWITH_BENCHMARKS=ON, MESH_DIR has CGAL's example meshes. Of several repetitions the median is
+taken; what is compared is measured one after the other on the same mesh. Needs python3-matplotlib.
 """
 
 import argparse
@@ -24,6 +24,7 @@ EDGE_COLLAPSE = "edge_collapse_alone"
 OPENMESH = "openmesh_decimater"
 SEQUENTIAL = "whole_detection<CGAL::Sequential_tag>"
 PARALLEL = "whole_detection<CGAL::Parallel_if_available_tag>"
+PARTS_MESHES = ("cactus", "armadillo", "elephant", "man", "camel", "eight")
 STAGES = ("simplify", "record", "seeds", "refine", "tighten", "certify", "select")
 
 
@@ -103,7 +104,7 @@ def growth_table(rows):
             continue
         cells = []
         for _, value in columns:
-            points = [(r[EDGE_COLLAPSE]["faces"], value(r)) for r in family if value(r) >= 1]
+            points = [(r[EDGE_COLLAPSE]["faces"], value(r)) for r in family if value(r) >= 0.1]
             cells.append(f"{exponent(points):.2f}" if len(points) > 1 else "")
         lines.append(f"| {title} | " + " | ".join(cells) + " |")
     return lines
@@ -115,6 +116,11 @@ def tightening_table(program, mesh_dir):
         lines.append(f"| {b['name'].split('/')[0]} | {b['faces']:.0f} | {b['loops']:.0f} "
                      f"| {b['cpu_time'] / b['loops']:.2f} ms | {b['length_percent']:.2f}% |")
     return lines
+
+
+def parts_table(program, mesh_dir):
+    command = [str(program)] + [f"{name}.off" for name in PARTS_MESHES]
+    return subprocess.run(command, cwd=mesh_dir, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
 
 
 def plot(rows, out):
@@ -145,13 +151,14 @@ def main():
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("--repetitions", type=int, default=3)
     arguments = parser.parse_args()
-    programs = arguments.build / "benchmark" / "Surface_mesh_constrictions"
+    programs = arguments.build.resolve() / "benchmark" / "Surface_mesh_constrictions"
     arguments.out.mkdir(parents=True, exist_ok=True)
 
     rows = measure(programs / "detection_benchmark", arguments.meshes, arguments.repetitions)
     tables = (("Detection", lambda: detection_table(rows)), ("Stages, one thread", lambda: stage_table(rows)),
               ("Growth", lambda: growth_table(rows)),
-              ("Tightening", lambda: tightening_table(programs / "tightening_benchmark", arguments.meshes)))
+              ("Tightening", lambda: tightening_table(programs / "tightening_benchmark", arguments.meshes)),
+              ("Parts", lambda: parts_table(programs / "parts_comparison", arguments.meshes)))
     with (arguments.out / "performance.md").open("w") as out:
         for title, table in tables:
             print(f"## {title}\n\n" + "\n".join(table()) + "\n", file=out, flush=True)
