@@ -349,6 +349,34 @@ TEST_F(StripAroundPrism, AStepThatGainsLessThanAUnitIsNotTaken)
   EXPECT_GT(arc.length, length_of_end + 3);
 }
 
+// A trapezium on the top of a box. Its corners have 45, 90, 90 and 135 degrees.
+TEST(Tightening, TheSharpestPivotIsRoundedFirst)
+{
+  const test_meshes::Soup box = test_meshes::box(5, 3, 2);
+  std::vector<Index> path;
+  for(std::size_t v :
+      exact_models::vertices_at(box, {{{2, 1, 2}}, {{3, 1, 2}}, {{4, 1, 2}}, {{4, 2, 2}}, {{3, 2, 2}}}))
+    path.push_back(static_cast<Index>(v));
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(box);
+  ASSERT_NE(pm.halfedge(path.front(), path.back()), SMC::null_index);
+  for(std::size_t start = 0; start < path.size(); ++start, std::rotate(path.begin(), path.begin() + 1, path.end()))
+  {
+    SMC::internal::Curve_network network(pm, false);
+    const Index c = network.add_curve(0, path);
+    SMC::internal::Tightener tightener(network, SMC::internal::Length_unit(pm));
+    tightener.enqueue_all(c);
+    tightener.run([](Index) { return true; }); // one step
+    std::set<Index> pivots;
+    for(const SMC::internal::Arc& a : SMC::internal::arcs_of_curve(network, c))
+      pivots.insert(a.from);
+    const auto sharpest = exact_models::vertices_at(box, {{{2, 1, 2}}}), others =
+        exact_models::vertices_at(box, {{{4, 1, 2}}, {{4, 2, 2}}, {{3, 2, 2}}});
+    EXPECT_EQ(pivots.count(static_cast<Index>(sharpest[0])), 0u);
+    for(std::size_t v : others)
+      EXPECT_EQ(pivots.count(static_cast<Index>(v)), 1u);
+  }
+}
+
 // A loop that winds around a tip, vertex 3, and crosses itself. The strip beside its pivot is so wide that it unfolds
 // over its own centre: the loop through the corner furthest from the centre is no shorter than the one that is to be
 // shortened, but others are.

@@ -58,7 +58,9 @@ public:
       {
         std::vector<Arc> none;
         network.set_arcs(c, none);
-        return Certificate();
+        Certificate result;
+        result.signs = signs;
+        return result;
       }
       finding = m_certifier.examine(curve);
       signs = signs + finding.certificate.signs;
