@@ -6,8 +6,8 @@
 #   scripts/test.sh [PRESET[:curves]...]    presets of CMakePresets.json; release if none is given
 #
 # Everything is built and tested; the headers are compiled on their own in the first configuration only, the benchmarks
-# are built in the last one only. With `:curves` only two things are tested: that the combinatorial curves of real meshes are those
-# of every other configuration, and that a project can use the installed package.
+# are built in the last one only. With `:curves` only two things are tested: that the combinatorial curves of real
+# meshes are those of every other configuration, and that a project can use the installed package.
 #
 # If CGAL_DIR is set, that CGAL is used instead of the installed one, or of Debian's CGAL 6 by a preset named for it.
 set -euo pipefail

@@ -64,8 +64,8 @@ TEST(Extract_parts, WithoutCapsHaveBorders)
   EXPECT_EQ(closed[0].number_of_faces(), 80u); // two hexagons
 }
 
-// On the torus of seven vertices all pairs of them are joined by an edge, so that no triangle fits into the hole that one
-// of them leaves.
+// On the torus of seven vertices all pairs of them are joined by an edge, so that no triangle fits into the hole that
+// one of them leaves.
 TEST(Fill_hole, WhereNoTriangleFitsWithACone)
 {
   test_meshes::Soup soup = {
