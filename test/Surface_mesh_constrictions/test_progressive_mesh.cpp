@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -136,6 +137,26 @@ TEST(Progressive_mesh, ReplayGivesTheMeshThatEdgeCollapseLeft)
     ASSERT_NE(g, SMC::null_index);
     EXPECT_EQ(pm.target(pm.next(g)), simplified.target(simplified.next(h)));
   }
+}
+
+TEST(Progressive_mesh, AppendingCollapsesEndsWhenTheFunctionSaysSo)
+{
+  test_meshes::Mesh simplified = test_meshes::make_mesh(test_meshes::dumbbell(0.05, 7));
+  Progressive_mesh one_by_one = test_meshes::make_progressive(test_meshes::dumbbell(0.05, 7)), appended = one_by_one;
+  const SMC::Collapse_record record = record_collapses::record_collapses(simplified);
+  const std::size_t half = record.collapses.size() / 2;
+  for(std::size_t i = 0; i < half; ++i)
+    one_by_one.append_collapse(record.collapses[i]);
+  std::vector<Index> removed;
+  appended.append_collapses(record.collapses, [&](const SMC::Edge_collapse& c) {
+    removed.push_back(c.removed);
+    return removed.size() < half;
+  });
+  EXPECT_EQ(hash(appended), hash(one_by_one));
+  EXPECT_EQ(appended.number_of_collapses(), half);
+  ASSERT_EQ(removed.size(), half);
+  for(std::size_t i = 0; i < half; ++i)
+    EXPECT_EQ(removed[i], record.collapses[i].removed);
 }
 
 TEST(Progressive_mesh, ACollapseTakes44Bytes)

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/floating_point_requirements.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prefetch.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/assertions.h>
@@ -87,9 +88,6 @@ public:
   /// of the vertex and the two faces that it takes out
   static constexpr std::size_t bytes_per_collapse() { return sizeof(Record) + 3 * sizeof(Index); }
 
-  /// makes room for a sequence of so many collapses
-  void reserve(std::size_t collapses) { m_records.reserve(collapses); }
-
   /// appends a collapse to the sequence and applies it.
   /// \pre `level() == number_of_collapses()`, `removed` and `kept` are joined by an edge whose collapse keeps the
   /// surface a 2-manifold (the link condition)
@@ -101,6 +99,22 @@ public:
     m_records.push_back(Record{c.point, h, 0});
     m_vertex_end[c.removed] = m_face_end[face(h)] = m_face_end[face(opposite(h))] = static_cast<Index>(m_level);
     collapse();
+  }
+
+  /// appends collapses and applies them, one after the other, and calls `f(collapse)` after each. Ends when that
+  /// returns false.
+  /// \pre that of `append_collapse()`, for each
+  template <class Function>
+  void append_collapses(const std::vector<Edge_collapse>& collapses, const Function& f)
+  {
+    m_records.reserve(m_records.size() + collapses.size());
+    for(std::size_t i = 0; i < collapses.size(); ++i)
+    {
+      prefetch_after(collapses, i);
+      append_collapse(collapses[i]);
+      if(!f(collapses[i]))
+        return;
+    }
   }
 
   /// goes from T^k to T^(k+1).
@@ -269,6 +283,40 @@ private:
   {
     Index a, b, c, d;
   };
+
+  void prefetch_halfedge(Index h) const
+  {
+    internal::prefetch(m_table.source[h]);
+    internal::prefetch(m_table.opposite[h]);
+  }
+
+  // Fetches what the collapses soon after number i are going to touch: on a large mesh most of the time is spent
+  // waiting for it. Each step needs what the one before it has fetched for the same collapse some collapses ago.
+  void prefetch_after(const std::vector<Edge_collapse>& collapses, std::size_t i) const
+  {
+    const std::size_t ahead = 8;
+    if(i + 3 * ahead < collapses.size())
+    {
+      const Edge_collapse& c = collapses[i + 3 * ahead];
+      internal::prefetch(m_points[c.kept]);
+      internal::prefetch(m_vertex_end[c.removed]);
+      internal::prefetch(m_table.outgoing[c.removed]);
+      internal::prefetch(m_table.outgoing[c.kept]);
+    }
+    if(i + 2 * ahead < collapses.size())
+    {
+      const Edge_collapse& c = collapses[i + 2 * ahead];
+      internal::prefetch(m_face_end[face(outgoing(c.removed))]);
+      prefetch_halfedge(outgoing(c.removed));
+      prefetch_halfedge(outgoing(c.kept));
+    }
+    if(i + ahead < collapses.size())
+    {
+      const Edge_collapse& c = collapses[i + ahead];
+      prefetch_halfedge(opposite(outgoing(c.removed)));
+      prefetch_halfedge(ccw(outgoing(c.removed)));
+    }
+  }
 
   Split split_of(const Record& r) const
   {

@@ -53,9 +53,7 @@ Progressive_mesh make_progressive_mesh(const TriangleMesh& tm, const std::vector
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, CGAL::get_initialized_vertex_index_map(tm, np));
   Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
-  pm.reserve(collapses.size());
-  for(const Edge_collapse& c : collapses)
-    pm.append_collapse(c);
+  pm.append_collapses(collapses, [](const Edge_collapse&) { return true; });
   return pm;
 }
 

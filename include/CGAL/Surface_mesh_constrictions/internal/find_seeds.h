@@ -39,17 +39,15 @@ std::vector<Seed_curve> replay(const Collapse_record& record, const SeedSource& 
                       std::is_convertible<ConcurrencyTag, Parallel_tag>::value};
   std::vector<Seed_curve> seeds;
   source(pm, level, std::back_inserter(seeds));
-  pm.reserve(record.collapses.size());
-  for(const Edge_collapse& c : record.collapses)
-  {
-    if(first_only && !seeds.empty())
-      break;
-    pm.append_collapse(c);
+  if(first_only && !seeds.empty())
+    return {seeds.front()};
+  pm.append_collapses(record.collapses, [&](const Edge_collapse& c) {
     --level.vertices;
     level.merged = c.kept;
     source(pm, level, std::back_inserter(seeds));
     visitor.on_step(Detection_stage::SEEDS, pm.level());
-  }
+    return !first_only || seeds.empty();
+  });
   if(first_only && seeds.size() > 1)
     seeds.resize(1);
   return seeds;
