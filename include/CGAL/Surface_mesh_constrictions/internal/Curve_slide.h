@@ -14,11 +14,40 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
+
+// Between two curves the lengths of so many others are sampled.
+constexpr std::size_t slide_samples = 31;
+
+// How far on the way from one curve to the other a sample is.
+inline double slide_parameter(std::size_t sample)
+{
+  return static_cast<double>(sample + 1) / (slide_samples + 1);
+}
+
+// The samples, from the first to behind the last, that can cut a face whose corners have these signed distances to the
+// two curves: of most faces few.
+inline std::pair<std::size_t, std::size_t> samples_that_cut(const std::array<double, 3>& from,
+                                                            const std::array<double, 3>& to)
+{
+  double first = 1, last = 0;
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    if(!(from[i] > 0) || to[i] > 0) // not between the curves
+      return {0, slide_samples};
+    const double t = from[i] / (from[i] - to[i]); // where a curve passes through the corner
+    first = (std::min)(first, t);
+    last = (std::max)(last, t);
+  }
+  const std::size_t before = static_cast<std::size_t>(first * (slide_samples + 1));
+  return {before - (before > 0),
+          (std::min)(slide_samples, static_cast<std::size_t>(last * (slide_samples + 1)) + 1)};
+}
 
 // Slides a curve b directly to another one, a: with signed distances, positive on corresponding sides, the zero sets of
 // (1 - t) distance to b + t distance to a go from one to the other as t goes from 0 to 1. Around a bend they turn with
@@ -54,7 +83,7 @@ public:
     if(!reached || !measure_distances(trace))
       return (std::numeric_limits<double>::infinity)();
 
-    std::array<double, samples> lengths;
+    std::array<double, slide_samples> lengths;
     lengths.fill(0);
     for(Index f : m_faces)
       add_face(sweep, f, a, s, lengths);
@@ -62,8 +91,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t samples = 31; // strictly between the two curves
-
   // Takes a face. False if the sweep has not reached all its vertices.
   bool collect_face(const Distance_sweep& sweep, Index f)
   {
@@ -99,7 +126,7 @@ private:
   }
 
   void add_face(const Distance_sweep& sweep, Index f, Index a, std::size_t s,
-                std::array<double, samples>& lengths) const
+                std::array<double, slide_samples>& lengths) const
   {
     std::array<double, 3> from, to;
     std::array<Vector3, 3> p;
@@ -110,9 +137,10 @@ private:
       from[i] = sweep.signed_distance(v, s);
       to[i] = sweep.is_beyond(v, a) ? m_front.distance(v) : -m_front.distance(v);
     }
-    for(std::size_t k = 0; k < samples; ++k)
+    const std::pair<std::size_t, std::size_t> cutting = samples_that_cut(from, to);
+    for(std::size_t k = cutting.first; k < cutting.second; ++k)
     {
-      const double t = static_cast<double>(k + 1) / (samples + 1);
+      const double t = slide_parameter(k);
       std::array<double, 3> g;
       std::array<Vector3, 2> ends;
       std::size_t count = 0;
