@@ -25,7 +25,7 @@ OPENMESH = "openmesh_decimater"
 SEQUENTIAL = "whole_detection<CGAL::Sequential_tag>"
 PARALLEL = "whole_detection<CGAL::Parallel_if_available_tag>"
 PARTS_MESHES = ("cactus", "armadillo", "elephant", "man", "camel", "eight")
-STAGES = ("simplify", "record", "seeds", "refine", "tighten", "certify", "select")
+STAGES = ("copy", "simplify", "record", "seeds", "refine", "tighten", "certify", "select")
 
 
 def run(program, name_filter, mesh_dir):
