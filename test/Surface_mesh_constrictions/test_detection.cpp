@@ -282,6 +282,50 @@ TEST(Detection, EverySeedIsAccountedForWhenSomeAreDiscardedEarly)
   }
 }
 
+// How many curves are to be certified.
+struct Certification_size
+  : public Statistics_taker
+{
+  std::size_t* curves;
+
+  Certification_size(SMC::Detection_statistics& s, std::size_t& curves) : Statistics_taker(s), curves(&curves) {}
+  void on_stage_begin(SMC::Detection_stage stage, std::size_t steps) const
+  {
+    if(stage == SMC::Detection_stage::CERTIFICATION)
+      *curves = steps;
+  }
+};
+
+// Two circles of a dumbbell are given as seeds on the input, which early merging does not see.
+TEST(Detection, CurvesThatAreTooLongToBeSelectedAreNotCertified)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.05, 3, 60, 40));
+  std::vector<std::vector<SMC::Index> > circles(2);
+  for(SMC::Index j = 0; j < 40; ++j)
+  {
+    circles[0].push_back(30 * 40 + j);
+    circles[1].push_back(28 * 40 + j);
+  }
+  const auto certified = [&](double ratio, bool all) {
+    SMC::Detection_statistics s;
+    std::size_t curves = 0;
+    std::vector<Constriction> result;
+    SMC::detect_constrictions(
+        mesh, std::back_inserter(result),
+        SMC::parameters::seed_sources(
+            SMC::Given_seeds(circles),
+            SMC::parameters::maximum_isoperimetric_ratio(
+                ratio, SMC::parameters::all_constrictions(
+                           all, CGAL::parameters::visitor(Certification_size(s, curves))))));
+    EXPECT_EQ(s.seeds, s.degenerate + s.merged + s.not_selected + result.size());
+    EXPECT_EQ(s.discarded, 0u);
+    return curves;
+  };
+  EXPECT_GT(certified(0.25, false), 0u);
+  EXPECT_EQ(certified(0.001, false), 0u);
+  EXPECT_EQ(certified(0.001, true), certified(0.25, true));
+}
+
 TEST(Detection, TheFirstSeedAloneGivesAtMostOneCurve)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::boxes_with_tube(3));

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Homology_basis.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Surface_cycles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
@@ -141,10 +142,66 @@ TEST(CrossingFilter, ACurveThatCrossesManyShorterOnesDoesNotPass)
   std::vector<std::vector<SMC::internal::Trace_point> > traces(1); // around a corner
   for(Index v : {pm.target(0), pm.target(pm.next(0)), pm.source(0)})
     traces[0].push_back({v, SMC::null_index, 0});
-  SMC::internal::Crossing_filter filter(pm, traces);
+  const SMC::internal::Surface_sides sides(pm);
+  SMC::internal::Crossing_filter filter(pm, sides, traces);
   EXPECT_TRUE(filter.passes(0, {}));
   EXPECT_TRUE(filter.passes(0, std::vector<Index>(SMC::internal::crossing_limit - 1, 0)));
   EXPECT_FALSE(filter.passes(0, std::vector<Index>(SMC::internal::crossing_limit, 0)));
+}
+
+TEST(CrossingFilter, ACurveThatCrossesSomeFirmOnesDoesNotPass)
+{
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::boxes_with_tube(4));
+  std::vector<SMC::internal::Trace_point> trace; // around a corner
+  for(Index v : {pm.target(0), pm.target(pm.next(0)), pm.source(0)})
+    trace.push_back({v, SMC::null_index, 0});
+  const std::vector<std::vector<SMC::internal::Trace_point> > traces(9, trace);
+  const SMC::internal::Surface_sides sides(pm);
+  SMC::internal::Crossing_filter filter(pm, sides, traces);
+  for(Index i = 0; i < 8; ++i)
+  {
+    EXPECT_TRUE(filter.passes(i, {}));
+    filter.keep(i, i < 4 ? 0.3 : 0.29);
+  }
+  EXPECT_TRUE(filter.passes(8, {0, 1, 2, 4, 5, 6, 7}));
+  EXPECT_FALSE(filter.passes(8, {0, 1, 2, 3}));
+}
+
+// The path around the tube that goes forth along it and back beside is tightened to the same curve as the one that goes
+// straight around, which has a third of its length and is asked for.
+TEST(MergeSeedCurves, ASeedThatIsFarTooLongIsNotTightened)
+{
+  SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::dumbbell(0, 1, 36, 24));
+  const auto ring = [](Index row, Index column) { return row * 24 + column % 24; };
+  std::vector<SMC::Seed_curve> seeds(2, SMC::Seed_curve{0, {}, SMC::Seed_origin::USER});
+  for(Index j = 0; j < 24; ++j)
+    seeds[0].vertices.push_back(ring(18, j));
+  for(Index j = 0; j < 24; ++j) // a comb of six teeth
+  {
+    const Index top = 26;
+    if(j % 4 == 1)
+      for(Index row = 18; row < top; ++row)
+        seeds[1].vertices.push_back(ring(row, j));
+    else if(j % 4 == 2)
+      for(Index row = top; row-- > 18;)
+        seeds[1].vertices.push_back(ring(row, j));
+    else
+      seeds[1].vertices.push_back(ring(18, j));
+  }
+  const auto verdicts = [&](double ratio) {
+    SMC::Merging_parameters parameters;
+    parameters.maximum_isoperimetric_ratio = ratio;
+    std::vector<SMC::Merged_seed> merged;
+    SMC::merge_seed_curves(pm, seeds, 0, parameters, std::back_inserter(merged));
+    std::vector<SMC::Merging_verdict> result(2);
+    for(const SMC::Merged_seed& m : merged)
+      for(std::size_t i : m.seeds)
+        result[i] = m.verdict;
+    return result;
+  };
+  using SMC::Merging_verdict;
+  EXPECT_EQ(verdicts(0.1), (std::vector<Merging_verdict>{Merging_verdict::KEPT, Merging_verdict::DISCARDED}));
+  EXPECT_EQ(verdicts(10), (std::vector<Merging_verdict>{Merging_verdict::KEPT, Merging_verdict::KEPT}));
 }
 
 TEST(HomologyBasis, AClassIsTheSumOfThoseThatWereAdded)

@@ -167,7 +167,7 @@ OutputIterator compute_prominences(const TriangleMesh& tm, const ConstrictionRan
   const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
   std::vector<Constriction<TriangleMesh> > result(constrictions.begin(), constrictions.end());
   const std::vector<std::vector<internal::Trace_point> > traces = internal::traces_of(result, imported, vim, pm);
-  internal::set_prominences(pm, traces, internal::prominences(pm, traces), result);
+  internal::set_prominences(pm, traces, internal::prominences(pm, traces, nullptr), result);
   return std::move(result.begin(), result.end(), out);
 }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/carry_seeds_to_input.h>
@@ -184,6 +185,9 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   const bool selects_all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
   const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                                 default_maximum_isoperimetric_ratio);
+  const bool with_crossing =
+      selects_all || choose_parameter(get_parameter(np, internal_np::crossing_constrictions), false) ||
+      choose_parameter(get_parameter(np, internal_np::minimum_prominence), default_minimum_prominence) <= 0;
 
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();
@@ -213,6 +217,9 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       internal::tighten_refined<ConcurrencyTag>(network, refined, certifies, statistics, [&visitor](std::size_t i) {
         visitor.on_step(Detection_stage::TIGHTENING, i);
       });
+  const internal::Surface_sides sides(pm);
+  if(!selects_all)
+    statistics.not_selected += internal::drop_too_long<ConcurrencyTag>(network, sides, maximum_ratio, found);
   visitor.on_stage_end(Detection_stage::TIGHTENING);
 
   visitor.on_stage_begin(Detection_stage::CERTIFICATION, certifies ? found.size() : 0);
@@ -229,7 +236,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   }
   internal::merge_coinciding(network, found);
 
-  internal::Constriction_maker<TriangleMesh> maker(imported, pm);
+  internal::Constriction_maker<TriangleMesh> maker(imported, pm, sides);
   std::vector<Constriction<TriangleMesh> > constrictions, selected;
   std::vector<std::vector<internal::Trace_point> > traces;
   for(const internal::Found_curve& f : found)
@@ -251,8 +258,10 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   visitor.on_stage_end(Detection_stage::CERTIFICATION);
 
   visitor.on_stage_begin(Detection_stage::SELECTION, constrictions.size());
+  const internal::Surface_sides* const filtering_sides = with_crossing ? nullptr : &sides;
   internal::set_prominences(pm, traces,
-                            coarse ? internal::prominences(pm, *coarse, traces) : internal::prominences(pm, traces),
+                            coarse ? internal::prominences(pm, *coarse, traces, filtering_sides)
+                                   : internal::prominences(pm, traces, filtering_sides),
                             constrictions);
   select_by_prominence(constrictions, std::back_inserter(selected), np);
   statistics.not_selected += constrictions.size() - selected.size();

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
@@ -38,7 +39,8 @@ struct Merging_parameters
   std::size_t kept = 12;
   /// whether the tightened copy is kept, moved to edges, one of those that become equal; or else the seeds as they are
   bool tight = false;
-  /// the greatest isoperimetric ratio of a copy that parts the surface, see `Constriction::isoperimetric_ratio()`
+  /// the greatest isoperimetric ratio of a copy that parts the surface, see `Constriction::isoperimetric_ratio()`. A
+  /// seed that is so long that its own is more than four times greater is not even tightened.
   double maximum_isoperimetric_ratio = (std::numeric_limits<double>::infinity)();
   /// the least prominence of a copy among the others, see `compute_prominences()`; 0 or less for any
   double minimum_prominence = 0;
@@ -67,14 +69,6 @@ struct Merged_seed
 };
 
 namespace internal {
-
-inline double length_of_path(const Progressive_mesh& pm, const std::vector<Index>& path)
-{
-  double sum = 0;
-  for(std::size_t i = 0; i < path.size(); ++i)
-    sum += norm(vector(pm.point(path[i]), pm.point(path[(i + 1) % path.size()])));
-  return sum;
-}
 
 // Carries seeds, in an order from the coarsest level, to a level as paths of edges, each path once. Those of finer
 // levels stay where they are: the number of the others is written to `number_carried`. The surface is at the level
@@ -112,10 +106,10 @@ inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::
 /// merges seed curves early, on a coarse level where that is cheap, and discards those that lead nowhere.
 ///
 /// The seeds of coarser levels are carried to the given level as paths of edges. A copy of each seed is tightened
-/// there. Seeds whose copies shorten to a point are given up; so are those whose copies are not asked for. Of the seeds
-/// whose copies become equal only some are kept, from the shortest to the longest at equal steps; each of the others is
-/// handed to the one kept before it. What is kept is not tightened, unless that is asked for: a curve that is tight on
-/// a coarse level often lies where it slips off later on.
+/// there, unless it is far too long. Seeds whose copies shorten to a point are given up; so are those whose copies are
+/// not asked for. Of the seeds whose copies become equal only some are kept, from the shortest to the longest at equal
+/// steps; each of the others is handed to the one kept before it. What is kept is not tightened, unless that is asked
+/// for: a curve that is tight on a coarse level often lies where it slips off later on.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.
@@ -138,7 +132,7 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   const std::vector<std::size_t> order = internal::coarsest_first(seeds);
   pm.go_to_level(order.empty() ? level : (std::max)(level, seeds[order.front()].level));
   std::size_t number_carried = 0;
-  const std::vector<Merged_seed> paths = internal::distinct_paths(pm, seeds, order, level, number_carried);
+  std::vector<Merged_seed> paths = internal::distinct_paths(pm, seeds, order, level, number_carried);
 
   const auto give_up = [&](std::size_t i, Merging_verdict verdict) {
     *out++ = Merged_seed{Seed_curve{level, {}, paths[i].curve.origin}, paths[i].seeds, verdict};
@@ -151,12 +145,27 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
       v = level_copy.vertex(v);
     return path;
   };
-  internal::Curve_network network(level_copy.surface(), false);
+  const Progressive_mesh& surface = level_copy.surface();
+  const internal::Surface_sides sides(surface);
+  if(parameters.maximum_isoperimetric_ratio < (std::numeric_limits<double>::infinity)())
+  {
+    const std::vector<std::size_t> promising = internal::paths_asked_for<ConcurrencyTag>(
+        paths.size(), path_on_copy, surface, sides, parameters.maximum_isoperimetric_ratio);
+    std::size_t kept = 0;
+    for(std::size_t i = 0; i < paths.size(); ++i)
+      if(kept < promising.size() && promising[kept] == i)
+        std::swap(paths[kept++], paths[i]);
+      else
+        give_up(i, Merging_verdict::DISCARDED);
+    paths.resize(kept);
+  }
+
+  internal::Curve_network network(surface, false);
   for(std::size_t i : internal::tighten_paths<ConcurrencyTag>(paths.size(), path_on_copy, network))
     give_up(i, Merging_verdict::DEGENERATE);
 
   const std::vector<Index> asked = internal::curves_asked_for<ConcurrencyTag>(
-      network, parameters.maximum_isoperimetric_ratio, parameters.minimum_prominence, parameters.crossing);
+      network, sides, parameters.maximum_isoperimetric_ratio, parameters.minimum_prominence, parameters.crossing);
   for(Index c = 0; c < network.number_of_curve_ids(); ++c)
   {
     if(network.is_empty(c))
@@ -185,7 +194,6 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
       }
       if(parameters.tight)
       {
-        const Progressive_mesh& surface = level_copy.surface();
         Path path =
             internal::path_beside_curve(surface, internal::trace(surface, internal::arcs_of_curve(network, c)));
         for(Index& v : path)

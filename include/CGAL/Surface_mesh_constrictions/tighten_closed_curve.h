@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/check_loop.h>
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
@@ -128,7 +129,8 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
   const internal::Corner_angles angles(pm);
   internal::Curve_settler settler(network, internal::Length_unit(pm), angles);
   internal::Exact_settler<TriangleMesh, std::decay_t<decltype(vpm)> > exact_settler(pm, imported, vpm);
-  internal::Constriction_maker<TriangleMesh> maker(imported, pm);
+  const internal::Surface_sides sides(pm);
+  internal::Constriction_maker<TriangleMesh> maker(imported, pm, sides);
   std::size_t number = 0;
   for(const auto& loop : loops)
   {

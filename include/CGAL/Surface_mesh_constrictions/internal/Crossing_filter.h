@@ -18,9 +18,12 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Where many bumps stand side by side, a closed geodesic can pass each of them on either side, and there are
-// exponentially many, which cross each other. Of those that cross each other there and back one is selected. A curve
-// that crosses this many shorter ones is one of such a family.
+// exponentially many, which cross each other. Of those that cross each other there and back one is selected, the most
+// prominent. A curve that crosses this many shorter ones is one of such a family, or this many firm ones: those of some
+// prominence.
 constexpr std::size_t crossing_limit = 16;
+constexpr std::ptrdiff_t firm_crossing_limit = 4;
+constexpr double firm_prominence = 0.3;
 
 // Tells closed geodesics that would hardly ever be selected, because of shorter ones that they cross: they cross many
 // there and back, or they are composed of shorter ones, see `composed_constrictions()`. Curves come from the shortest
@@ -28,9 +31,9 @@ constexpr std::size_t crossing_limit = 16;
 class Crossing_filter
 {
 public:
-  // Linear in the size of the mesh.
-  Crossing_filter(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces)
-    : m_pm(pm), m_traces(traces), m_sides(pm)
+  Crossing_filter(const Progressive_mesh& pm, const Surface_sides& sides,
+                  const std::vector<std::vector<Trace_point> >& traces)
+    : m_pm(pm), m_sides(sides), m_traces(traces), m_is_firm(traces.size(), false)
   {}
 
   // Whether a curve passes, of which these of the curves that were kept are crossed there and back.
@@ -38,7 +41,8 @@ public:
   bool passes(Index i, const std::vector<Index>& crossed)
   {
     m_reduced = Homology_basis::Reduced();
-    if(crossed.size() >= crossing_limit)
+    if(crossed.size() >= crossing_limit ||
+       std::count_if(crossed.begin(), crossed.end(), [&](Index j) { return m_is_firm[j]; }) >= firm_crossing_limit)
       return false;
     const Parting parting = m_sides.part(m_traces[i]);
     if(parting.is_separating())
@@ -50,17 +54,19 @@ public:
     });
   }
 
-  // Keeps the curve that has just passed.
-  void keep(Index i)
+  // Keeps the curve that has just passed, and has this prominence.
+  void keep(Index i, double prominence)
   {
+    m_is_firm[i] = prominence >= firm_prominence;
     if(!m_reduced.is_sum())
       m_basis.add(std::move(m_reduced), i);
   }
 
 private:
   const Progressive_mesh& m_pm;
+  const Surface_sides& m_sides;
   const std::vector<std::vector<Trace_point> >& m_traces;
-  Surface_sides m_sides;
+  std::vector<bool> m_is_firm; // by curve
   Homology_basis m_basis;
   Homology_basis::Reduced m_reduced; // class of the curve that was asked about last
 };

@@ -35,6 +35,12 @@ inline double isoperimetric_ratio(double length, const std::array<double, 2>& ar
   return length * length / (4 * CGAL_PI * (std::min)(areas[0], areas[1]));
 }
 
+// Whether a curve of this length separates and has a greater isoperimetric ratio.
+inline bool is_too_long(double length, const Parting& parting, double maximum_isoperimetric_ratio)
+{
+  return parting.is_separating() && isoperimetric_ratio(length, parting.areas) > maximum_isoperimetric_ratio;
+}
+
 // Answers what lies on the sides of simple closed curves of a surface.
 class Surface_sides
 {
@@ -59,19 +65,26 @@ public:
     std::vector<Index> path;
     for(const Trace_point& p : trace)
       path.push_back(p.is_pivot() ? p.pivot : m_pm.target(p.halfedge));
-    const double whole = m_cycles.area_of_component(some_face(trace));
-    Parting result = {m_cycles.homology_class(path), {{whole, whole}}};
-    if(!result.is_separating())
-      return result;
-
-    double left = m_cycles.area_on_left(path);
+    double between = 0; // the curve and the path
     for(std::size_t i = 0; i < trace.size(); ++i)
     {
       const std::size_t j = (i + 1) % trace.size();
       const Vector3 p = position(m_pm, trace[i]), q = position(m_pm, trace[j]);
       const Vector3 u = position(m_pm, path[i]), v = position(m_pm, path[j]);
-      left += norm(cross(q - p, v - p) + cross(v - p, u - p)) / 2;
+      between += norm(cross(q - p, v - p) + cross(v - p, u - p)) / 2;
     }
+    return part(path, between);
+  }
+
+  // The same for a closed path of vertices, consecutive ones adjacent or equal, or for a curve beside it on its right,
+  // with this area between the two.
+  Parting part(const std::vector<Index>& path, double between = 0) const
+  {
+    const double whole = m_cycles.area_of_component(m_pm.face(m_pm.outgoing(path[0])));
+    Parting result = {m_cycles.homology_class(path), {{whole, whole}}};
+    if(!result.is_separating())
+      return result;
+    double left = m_cycles.area_on_left(path) + between;
     while(left < 0)
       left += whole;
     while(left > whole)

@@ -28,8 +28,9 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // A coarse level tells only roughly what will be selected: there, prominences and isoperimetric ratios may miss what is
-// asked for by this factor.
-constexpr double coarse_selection_factor = 2;
+// asked for by these factors.
+constexpr double coarse_prominence_factor = 0.5;
+constexpr double coarse_isoperimetric_factor = 1.2;
 
 // How many seeds are kept of those that become equal there, if constrictions are selected. More lead to more
 // constrictions that hardly differ, and one of those is selected.
@@ -49,8 +50,8 @@ Carrying_parameters carrying_parameters(const NamedParameters& np)
   const double ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                         default_maximum_isoperimetric_ratio);
   result.merging.kept = kept_for_selection;
-  result.merging.minimum_prominence = (std::min)(prominence, default_minimum_prominence) / coarse_selection_factor;
-  result.merging.maximum_isoperimetric_ratio = ratio * coarse_selection_factor;
+  result.merging.minimum_prominence = (std::min)(prominence, default_minimum_prominence) * coarse_prominence_factor;
+  result.merging.maximum_isoperimetric_ratio = ratio * coarse_isoperimetric_factor;
   result.merging.crossing = choose_parameter(get_parameter(np, internal_np::crossing_constrictions), false);
   return result;
 }

@@ -24,12 +24,46 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
+inline double length_of_path(const Progressive_mesh& pm, const std::vector<Index>& path)
+{
+  double sum = 0;
+  for(std::size_t i = 0; i < path.size(); ++i)
+    sum += norm(vector(pm.point(path[i]), pm.point(path[(i + 1) % path.size()])));
+  return sum;
+}
+
+// A closed path of edges zigzags, and lies aslant: it is no more than this many times as long as what it is tightened
+// to, but for few.
+constexpr double slack_of_paths = 2.1;
+
+// Of closed paths of edges, of which path_of(i) gives number i as a vector of vertices, those that may be tightened to
+// a curve of no greater isoperimetric ratio, as far as their own ratios tell. Ascending. Linear in the paths.
+template <class ConcurrencyTag, class PathOf>
+std::vector<std::size_t> paths_asked_for(std::size_t number_of_paths, const PathOf& path_of, const Progressive_mesh& pm,
+                                         const Surface_sides& sides, double maximum_isoperimetric_ratio)
+{
+  auto groups = make_groups<std::vector<std::size_t> >(number_of_paths, 512);
+  CGAL::for_each<ConcurrencyTag>(groups, [&](Group<std::vector<std::size_t> >& group) {
+    for(std::size_t i = group.begin; i < group.end; ++i)
+    {
+      const std::vector<Index> path = path_of(i);
+      if(!is_too_long(length_of_path(pm, path) / slack_of_paths, sides.part(path), maximum_isoperimetric_ratio))
+        group.result.push_back(i);
+    }
+    return true;
+  });
+  std::vector<std::size_t> result;
+  for(const Group<std::vector<std::size_t> >& group : groups)
+    result.insert(result.end(), group.result.begin(), group.result.end());
+  return result;
+}
+
 // Of the closed geodesics of a level the ones that may be asked for, as far as this level tells: those of no greater
 // isoperimetric ratio and no less prominence, which do not cross others if these are not to. Curves that are not simple
 // here may be on a finer level. Ascending. Cost: that of the areas and prominences.
 template <class ConcurrencyTag>
-std::vector<Index> curves_asked_for(const Curve_network& network, double maximum_isoperimetric_ratio,
-                                    double minimum_prominence, bool with_crossing)
+std::vector<Index> curves_asked_for(const Curve_network& network, const Surface_sides& sides,
+                                    double maximum_isoperimetric_ratio, double minimum_prominence, bool with_crossing)
 {
   const Progressive_mesh& pm = network.surface();
   std::vector<Index> all, result, simple;
@@ -47,7 +81,6 @@ std::vector<Index> curves_asked_for(const Curve_network& network, double maximum
     std::vector<Index> simple, not_simple;
     std::vector<std::vector<Trace_point> > traces;
   };
-  const Surface_sides sides(pm);
   auto groups = make_groups<Candidates>(all.size(), 128);
   CGAL::for_each<ConcurrencyTag>(groups, [&](Group<Candidates>& group) {
     for(std::size_t i = group.begin; i < group.end; ++i)
@@ -58,9 +91,7 @@ std::vector<Index> curves_asked_for(const Curve_network& network, double maximum
         group.result.not_simple.push_back(all[i]);
         continue;
       }
-      const Parting parting = sides.part(points);
-      if(parting.is_separating() &&
-         isoperimetric_ratio(network.length(all[i]), parting.areas) > maximum_isoperimetric_ratio)
+      if(is_too_long(network.length(all[i]), sides.part(points), maximum_isoperimetric_ratio))
         continue;
       group.result.simple.push_back(all[i]);
       group.result.traces.push_back(std::move(points));
@@ -78,7 +109,7 @@ std::vector<Index> curves_asked_for(const Curve_network& network, double maximum
     result.insert(result.end(), simple.begin(), simple.end());
   else
   {
-    const std::vector<Prominence> p = prominences(pm, traces, with_crossing);
+    const std::vector<Prominence> p = prominences(pm, traces, with_crossing ? nullptr : &sides);
     for(std::size_t i = 0; i < simple.size(); ++i)
       if(p[i].value >= minimum_prominence)
         result.push_back(simple[i]);

@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Group.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Strand.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/coincidence.h>
@@ -112,6 +114,31 @@ std::vector<Found_curve> tighten_refined(Curve_network& network, const std::vect
     }
   }
   return found;
+}
+
+// Drops the curves that separate and have a greater isoperimetric ratio, so that they need not be certified. Those that
+// are not simple stay: they may be corrected. Returns how many were dropped. Cost: for each curve that of
+// `Surface_sides::part()`.
+template <class ConcurrencyTag>
+std::size_t drop_too_long(const Curve_network& network, const Surface_sides& sides, double maximum_isoperimetric_ratio,
+                          std::vector<Found_curve>& found)
+{
+  const Progressive_mesh& pm = network.surface();
+  auto kept = make_groups<std::vector<Found_curve> >(found.size(), 32);
+  CGAL::for_each<ConcurrencyTag>(kept, [&](Group<std::vector<Found_curve> >& group) {
+    for(std::size_t i = group.begin; i < group.end; ++i)
+    {
+      const std::vector<Trace_point> points = trace(pm, arcs_of_curve(network, found[i].curve));
+      if(!is_simple(pm, points) || !is_too_long(found[i].length, sides.part(points), maximum_isoperimetric_ratio))
+        group.result.push_back(found[i]);
+    }
+    return true;
+  });
+  const std::size_t number = found.size();
+  found.clear();
+  for(const Group<std::vector<Found_curve> >& group : kept)
+    found.insert(found.end(), group.result.begin(), group.result.end());
+  return number - found.size();
 }
 
 // Sorts curves by length and merges those that are the same but for rounding.

@@ -24,8 +24,9 @@ template <class TriangleMesh>
 class Constriction_maker
 {
 public:
-  Constriction_maker(const Imported_mesh<TriangleMesh>& imported, const Progressive_mesh& pm)
-    : m_imported(imported), m_pm(pm), m_sides(pm)
+  Constriction_maker(const Imported_mesh<TriangleMesh>& imported, const Progressive_mesh& pm,
+                     const Surface_sides& sides)
+    : m_imported(imported), m_pm(pm), m_sides(sides)
   {}
 
   Constriction<TriangleMesh> make(const Curve_network& network, Index c, const std::vector<Seed_curve>& seeds,
@@ -81,7 +82,7 @@ public:
 private:
   const Imported_mesh<TriangleMesh>& m_imported;
   const Progressive_mesh& m_pm;
-  Surface_sides m_sides;
+  const Surface_sides& m_sides;
 };
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Strand.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Tightening_basins.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -63,10 +65,11 @@ inline std::vector<Index> by_length(const std::vector<double>& lengths)
 }
 
 // Prominences of those closed geodesics for which `asked` is set, among each other; nothing is written for the others,
-// which are looked for when it comes to crossings, but dominate none. Unless `with_crossing`, those that a
-// `Crossing_filter` does not let pass get none. In the order of the curves.
+// which are looked for when it comes to crossings, but dominate none. If the sides of the surface are given, those that
+// a `Crossing_filter` does not let pass get none. In the order of the curves.
 inline void add_prominences(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces,
-                            const std::vector<bool>& asked, bool with_crossing, std::vector<Prominence>& result)
+                            const std::vector<bool>& asked, const Surface_sides* filtering_sides,
+                            std::vector<Prominence>& result)
 {
   std::vector<double> lengths;
   for(const std::vector<Trace_point>& t : traces)
@@ -81,16 +84,18 @@ inline void add_prominences(const Progressive_mesh& pm, const std::vector<std::v
     if(!asked[i])
       add(i, (std::numeric_limits<double>::infinity)());
   std::optional<Crossing_filter> filter;
-  if(!with_crossing)
-    filter.emplace(pm, traces);
+  if(filtering_sides != nullptr)
+    filter.emplace(pm, *filtering_sides, traces);
   for(Index i : by_length(lengths))
   {
     if(!asked[i])
       continue;
-    std::vector<Index> crosses;
+    std::vector<Index> crosses, shorter;
     for(Index a : search.crossed_by(traces[i]))
       crosses.push_back(known[a]);
-    if(filter && !filter->passes(i, crosses))
+    std::copy_if(crosses.begin(), crosses.end(), std::back_inserter(shorter),
+                 [&](Index a) { return lengths[a] <= lengths[i]; });
+    if(filter && !filter->passes(i, shorter))
     {
       result[i] = {no_prominence, null_index, {}};
       continue;
@@ -102,17 +107,17 @@ inline void add_prominences(const Progressive_mesh& pm, const std::vector<std::v
       continue;
     add(i, lengths[i]);
     if(filter)
-      filter->keep(i);
+      filter->keep(i, result[i].value);
   }
 }
 
 // Prominences of closed geodesics among each other, in their order, see `add_prominences()`.
 inline std::vector<Prominence> prominences(const Progressive_mesh& pm,
                                            const std::vector<std::vector<Trace_point> >& traces,
-                                           bool with_crossing = true)
+                                           const Surface_sides* filtering_sides)
 {
   std::vector<Prominence> result(traces.size());
-  add_prominences(pm, traces, std::vector<bool>(traces.size(), true), with_crossing, result);
+  add_prominences(pm, traces, std::vector<bool>(traces.size(), true), filtering_sides, result);
   return result;
 }
 
@@ -124,7 +129,8 @@ constexpr double coarse_length_tolerance = 0.1;
 // Curves that are the same there have no barrier between them: the shortest dominates the others. Those that are not
 // there are measured on T^0, among each other.
 inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Level_copy& coarse,
-                                           const std::vector<std::vector<Trace_point> >& traces)
+                                           const std::vector<std::vector<Trace_point> >& traces,
+                                           const Surface_sides* filtering_sides)
 {
   std::vector<Prominence> result(traces.size());
   std::vector<double> lengths;
@@ -164,7 +170,11 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Lev
     is_missing[i] = true;
   }
 
-  std::vector<Prominence> of_coarse = prominences(surface, on_coarse);
+  std::optional<Surface_sides> sides_of_coarse;
+  if(filtering_sides != nullptr)
+    sides_of_coarse.emplace(surface);
+  std::vector<Prominence> of_coarse =
+      prominences(surface, on_coarse, sides_of_coarse ? &*sides_of_coarse : nullptr);
   for(std::size_t i = 0; i < curves.size(); ++i)
   {
     Prominence& p = result[curves[i]] = std::move(of_coarse[i]);
@@ -174,7 +184,7 @@ inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Lev
       a = curves[a];
   }
   if(std::find(is_missing.begin(), is_missing.end(), true) != is_missing.end())
-    add_prominences(pm, traces, is_missing, true, result);
+    add_prominences(pm, traces, is_missing, filtering_sides, result);
   return result;
 }
 
