@@ -35,7 +35,7 @@ enum class Detection_stage
   SEEDS,          ///< the search for seed curves on each level
   REFINEMENT,     ///< vertex splits, with early merging
   TIGHTENING,     ///< of the curves that have arrived on the input
-  CERTIFICATION,  ///< of the distinct closed geodesics, and what else is known of each
+  CERTIFICATION,  ///< of the distinct closed geodesics that may be selected, and what else is known of each
   SELECTION       ///< prominences, and selection by them
 };
 
