@@ -183,8 +183,8 @@ TEST(BlockSimplification, BlocksHaveEachFaceOnceAndAreOfEqualSize)
 TEST(BlockSimplification, FansAtABorderVertexAreLinked)
 {
   SMC::internal::Corner_table table;
-  table.source = {0, 1, 2, 0, 3, 4};
-  table.opposite.assign(6, SMC::null_index);
+  for(Index v : {0, 1, 2, 0, 3, 4})
+    table.halfedges.push_back({v, SMC::null_index});
   table.outgoing = {0, 1, 2, 4, 5};
   const std::vector<test_meshes::Mesh::Point> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
   test_meshes::Mesh mesh;

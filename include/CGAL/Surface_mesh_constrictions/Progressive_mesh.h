@@ -69,7 +69,7 @@ public:
     : m_table(std::move(table)),
       m_points(std::move(points)),
       m_vertex_end(m_points.size(), null_index),
-      m_face_end(m_table.source.size() / 3, null_index)
+      m_face_end(m_table.halfedges.size() / 3, null_index)
   {
     for(Index h : m_table.outgoing)
       m_number_of_vertices += h != null_index;
@@ -128,7 +128,7 @@ public:
 
     // the faces around `removed`, but the two that go, now have a corner at `kept`
     for(Index r = x.b; r != next(s.right); r = ccw(r))
-      m_table.source[r] = s.kept;
+      m_table.halfedges[r].source = s.kept;
 
     record.outgoing = 0;
     leave(s.kept, next(s.left), x.b, 1u, record);
@@ -163,7 +163,7 @@ public:
     if(record.outgoing & 1u) m_table.outgoing[s.kept] = next(s.left);
 
     for(Index r = x.b; r != next(s.right); r = ccw(r))
-      m_table.source[r] = s.removed;
+      m_table.halfedges[r].source = s.removed;
     return s;
   }
 
@@ -207,7 +207,7 @@ public:
   std::size_t number_of_face_ids() const { return m_face_end.size(); }
 
   /// the number of halfedges of T^0
-  std::size_t number_of_halfedge_ids() const { return m_table.source.size(); }
+  std::size_t number_of_halfedge_ids() const { return m_table.halfedges.size(); }
 
   /// whether `v` is a vertex of the current surface that is not isolated
   bool is_vertex(Index v) const { return m_vertex_end[v] >= m_level && m_table.outgoing[v] != null_index; }
@@ -241,13 +241,13 @@ public:
   static Index face(Index h) { return h / 3; }
 
   /// the other halfedge of the same edge
-  Index opposite(Index h) const { return m_table.opposite[h]; }
+  Index opposite(Index h) const { return m_table.halfedges[h].opposite; }
 
   /// the vertex that a halfedge comes from
-  Index source(Index h) const { return m_table.source[h]; }
+  Index source(Index h) const { return m_table.halfedges[h].source; }
 
   /// the vertex that a halfedge leads to
-  Index target(Index h) const { return m_table.source[next(h)]; }
+  Index target(Index h) const { return m_table.halfedges[next(h)].source; }
 
   /// the smaller halfedge of an edge, the same for both
   Index edge(Index h) const { return (std::min)(h, opposite(h)); }
@@ -284,12 +284,6 @@ private:
     Index a, b, c, d;
   };
 
-  void prefetch_halfedge(Index h) const
-  {
-    internal::prefetch(m_table.source[h]);
-    internal::prefetch(m_table.opposite[h]);
-  }
-
   // Fetches what the collapses soon after number i are going to touch: on a large mesh most of the time is spent
   // waiting for it. Each step needs what the one before it has fetched for the same collapse some collapses ago.
   void prefetch_after(const std::vector<Edge_collapse>& collapses, std::size_t i) const
@@ -307,14 +301,14 @@ private:
     {
       const Edge_collapse& c = collapses[i + 2 * ahead];
       internal::prefetch(m_face_end[face(outgoing(c.removed))]);
-      prefetch_halfedge(outgoing(c.removed));
-      prefetch_halfedge(outgoing(c.kept));
+      internal::prefetch(m_table.halfedges[outgoing(c.removed)]);
+      internal::prefetch(m_table.halfedges[outgoing(c.kept)]);
     }
     if(i + ahead < collapses.size())
     {
       const Edge_collapse& c = collapses[i + ahead];
-      prefetch_halfedge(opposite(outgoing(c.removed)));
-      prefetch_halfedge(ccw(outgoing(c.removed)));
+      internal::prefetch(m_table.halfedges[opposite(outgoing(c.removed))]);
+      internal::prefetch(m_table.halfedges[ccw(outgoing(c.removed))]);
     }
   }
 
@@ -331,8 +325,8 @@ private:
 
   void glue(Index h, Index o)
   {
-    m_table.opposite[h] = o;
-    m_table.opposite[o] = h;
+    m_table.halfedges[h].opposite = o;
+    m_table.halfedges[o].opposite = h;
   }
 
   // If the outgoing halfedge of v is the one that leaves, takes `instead` and notes it.

@@ -14,12 +14,17 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Connectivity of a closed, oriented triangle mesh in three arrays. Face f has the halfedges 3f, 3f+1, 3f+2, in
-// counterclockwise order; halfedge 3f+i goes from corner i of the face to corner i+1.
+// Connectivity of a closed, oriented triangle mesh in two arrays. Face f has the halfedges 3f, 3f+1, 3f+2, in
+// counterclockwise order; halfedge 3f+i goes from corner i of the face to corner i+1. What belongs to a halfedge lies
+// side by side: on a large mesh each array that is looked up costs a cache miss.
 struct Corner_table
 {
-  std::vector<Index> source;   // of a halfedge
-  std::vector<Index> opposite; // of a halfedge
+  struct Halfedge
+  {
+    Index source, opposite;
+  };
+
+  std::vector<Halfedge> halfedges;
   std::vector<Index> outgoing; // a halfedge out of a vertex; null_index for an isolated vertex
 
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -51,7 +56,7 @@ inline void throw_defect_of_edge(Index h, Index u, Index v, std::size_t forth, s
 // Connects triangles, given by three vertex indices each. Throws Invalid_input for whatever is not a closed oriented
 // 2-manifold without two edges between the same vertices. Isolated vertices are allowed.
 // Linear in the sum of squared vertex degrees.
-inline Corner_table make_corner_table(std::size_t number_of_vertices, std::vector<Index> corners)
+inline Corner_table make_corner_table(std::size_t number_of_vertices, const std::vector<Index>& corners)
 {
   const std::size_t n = corners.size();
   if(n == 0)
@@ -60,23 +65,28 @@ inline Corner_table make_corner_table(std::size_t number_of_vertices, std::vecto
     throw Invalid_input(Input_defect::TOO_LARGE, 0, "mesh too large: 32-bit indices name at most 1431655764 faces");
 
   Corner_table table;
-  table.source = std::move(corners);
-  table.opposite.assign(n, null_index);
+  table.halfedges.reserve(n);
   table.outgoing.assign(number_of_vertices, null_index);
 
   // the halfedges out of vertex v are out[first[v]] ... out[first[v + 1] - 1]
-  std::vector<Index> first(number_of_vertices + 1, 0), out(n);
+  struct Outgoing
+  {
+    Index halfedge, target;
+  };
+  std::vector<Index> first(number_of_vertices + 1, 0);
+  std::vector<Outgoing> out(n);
   for(Index h = 0; h < n; ++h)
   {
-    const Index v = table.source[h];
+    const Index v = corners[h];
     if(v >= number_of_vertices)
       throw Invalid_input(Input_defect::INVALID_VERTEX_INDEX, h / 3,
                           "invalid vertex index: face " + std::to_string(h / 3) + " refers to vertex " +
                           std::to_string(v) + " of " + std::to_string(number_of_vertices));
-    if(v == table.source[Corner_table::next(h)])
+    if(v == corners[Corner_table::next(h)])
       throw Invalid_input(Input_defect::ZERO_LENGTH_EDGE, h / 3,
                           "degenerate face: face " + std::to_string(h / 3) + " uses vertex " + std::to_string(v) +
                           " twice");
+    table.halfedges.push_back({v, null_index});
     ++first[v + 1];
   }
   for(std::size_t v = 0; v < number_of_vertices; ++v)
@@ -84,40 +94,40 @@ inline Corner_table make_corner_table(std::size_t number_of_vertices, std::vecto
   {
     std::vector<Index> end(first.begin(), first.end() - 1);
     for(Index h = 0; h < n; ++h)
-      out[end[table.source[h]]++] = h;
+      out[end[corners[h]]++] = {h, corners[Corner_table::next(h)]};
   }
 
   for(Index h = 0; h < n; ++h)
   {
-    if(table.opposite[h] != null_index)
+    if(table.halfedges[h].opposite != null_index)
       continue;
-    const Index u = table.source[h], v = table.source[Corner_table::next(h)];
+    const Index u = corners[h], v = corners[Corner_table::next(h)];
     std::size_t forth = 0, back = 0;
     Index o = null_index;
     for(Index i = first[u]; i < first[u + 1]; ++i)
-      forth += table.source[Corner_table::next(out[i])] == v;
+      forth += out[i].target == v;
     for(Index i = first[v]; i < first[v + 1]; ++i)
-      if(table.source[Corner_table::next(out[i])] == u)
+      if(out[i].target == u)
       {
         ++back;
-        o = out[i];
+        o = out[i].halfedge;
       }
     if(forth != 1 || back != 1)
       throw_defect_of_edge(h, u, v, forth, back);
-    table.opposite[h] = o;
-    table.opposite[o] = h;
+    table.halfedges[h].opposite = o;
+    table.halfedges[o].opposite = h;
   }
 
   for(std::size_t v = 0; v < number_of_vertices; ++v)
   {
     if(first[v] == first[v + 1])
       continue;
-    const Index begin = table.outgoing[v] = out[first[v]];
+    const Index begin = table.outgoing[v] = out[first[v]].halfedge;
     std::size_t fan = 0;
     Index h = begin;
     do {
       ++fan;
-      h = table.opposite[Corner_table::prev(h)];
+      h = table.halfedges[Corner_table::prev(h)].opposite;
     } while(h != begin);
     if(fan != first[v + 1] - first[v])
       throw Invalid_input(Input_defect::NON_MANIFOLD_VERTEX, v,

@@ -45,11 +45,11 @@ public:
   {
     const Corner_table& table = imported.table;
     for(const Point& p : imported.points)
-      points.push_back(p - imported.points[table.source[0]]);
+      points.push_back(p - imported.points[table.halfedges[0].source]);
     m_number_of_vertices = points.size();
-    const std::size_t faces = table.source.size() / 3;
-    for(Index h = 0; h < table.source.size(); ++h)
-      sides.push_back({Corner_table::next(h), table.opposite[h], h / 3, table.source[h], none, false});
+    const std::size_t faces = table.halfedges.size() / 3;
+    for(Index h = 0; h < table.halfedges.size(); ++h)
+      sides.push_back({Corner_table::next(h), table.halfedges[h].opposite, h / 3, table.halfedges[h].source, none, false});
     for(std::size_t f = 0; f < faces; ++f)
     {
       face_of_cell.push_back(f);

@@ -24,8 +24,8 @@ public:
   // Blocks of at most the given number of faces. O(n log n).
   template <class Point>
   Face_blocks(const Corner_table& table, const std::vector<Point>& points, std::size_t faces)
-    : m_block_of_face(table.source.size() / 3),
-      m_position(table.source.size() / 3),
+    : m_block_of_face(table.halfedges.size() / 3),
+      m_position(table.halfedges.size() / 3),
       m_block_of_vertex(points.size(), null_index)
   {
     std::vector<Place> places(m_block_of_face.size());
@@ -36,16 +36,16 @@ public:
       {
         double sum = 0;
         for(Index h = 3 * f; h < 3 * f + 3; ++h)
-          sum += points[table.source[h]][i];
+          sum += points[table.halfedges[h].source][i];
         places[f].at[static_cast<std::size_t>(i)] = static_cast<float>(sum);
       }
     }
     halve(places.begin(), places.end(), faces);
-    for(Index h = 0; h < table.source.size(); ++h)
-      m_block_of_vertex[table.source[h]] = m_block_of_face[h / 3];
-    for(Index h = 0; h < table.source.size(); ++h)
-      if(m_block_of_face[h / 3] != m_block_of_face[table.opposite[h] / 3])
-        m_block_of_vertex[table.source[h]] = m_block_of_vertex[table.source[Corner_table::next(h)]] = null_index;
+    for(Index h = 0; h < table.halfedges.size(); ++h)
+      m_block_of_vertex[table.halfedges[h].source] = m_block_of_face[h / 3];
+    for(Index h = 0; h < table.halfedges.size(); ++h)
+      if(m_block_of_face[h / 3] != m_block_of_face[table.halfedges[h].opposite / 3])
+        m_block_of_vertex[table.halfedges[h].source] = m_block_of_vertex[table.halfedges[Corner_table::next(h)].source] = null_index;
   }
 
   std::size_t size() const { return m_faces.size(); }

@@ -35,9 +35,9 @@ inline void check_points(const Corner_table& table, const std::vector<Point>& po
         throw Invalid_input(Input_defect::NON_FINITE_COORDINATE, v,
                             "non-finite coordinate: vertex " + std::to_string(v) + " has " + "xyz"[i] + " = " +
                             std::to_string(points[v][i]));
-  for(Index h = 0; h < table.source.size(); ++h)
+  for(Index h = 0; h < table.halfedges.size(); ++h)
   {
-    const Index u = table.source[h], v = table.source[Corner_table::next(h)];
+    const Index u = table.halfedges[h].source, v = table.halfedges[Corner_table::next(h)].source;
     if(points[u] == points[v])
       throw Invalid_input(Input_defect::ZERO_LENGTH_EDGE, h / 3,
                           "degenerate face: " + edge_name(u, v) + " of face " + std::to_string(h / 3) +
@@ -95,7 +95,7 @@ public:
       else
         add_face(p, c, a, b, corners);
     }
-    table = make_corner_table(points.size(), std::move(corners));
+    table = make_corner_table(points.size(), corners);
     check_points(table, points);
   }
 

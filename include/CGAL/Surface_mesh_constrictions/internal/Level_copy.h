@@ -67,7 +67,7 @@ private:
           corners.push_back(v);
         }
     const std::size_t n = points.size();
-    return Progressive_mesh(make_corner_table(n, std::move(corners)), std::move(points));
+    return Progressive_mesh(make_corner_table(n, corners), std::move(points));
   }
 
   std::vector<Index> m_vertex;   // of this surface, by vertex of T^0

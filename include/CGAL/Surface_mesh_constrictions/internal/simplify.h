@@ -85,7 +85,7 @@ Collapse_record simplify(const ImportedMesh& imported, const Policies& make_poli
   std::vector<Index> vertices(points->size());
   std::iota(vertices.begin(), vertices.end(), Index(0));
   const auto on_step = [&visitor](std::size_t done) { visitor.on_step(Detection_stage::SIMPLIFICATION, done); };
-  for(std::size_t faces = table->source.size() / 3, faces_before = faces + 1;
+  for(std::size_t faces = table->halfedges.size() / 3, faces_before = faces + 1;
       in_blocks && faces > (rest.points.empty() ? in_blocks->whole_faces : in_blocks->block_faces) &&
       faces < faces_before && !has_edge_of_length_zero(*table, *points);)
   {
@@ -95,7 +95,7 @@ Collapse_record simplify(const ImportedMesh& imported, const Policies& make_poli
     points = &rest.points;
     vertices = rest.vertices;
     faces_before = faces;
-    faces = table->source.size() / 3;
+    faces = table->halfedges.size() / 3;
   }
 
   Simplification_mesh copy;

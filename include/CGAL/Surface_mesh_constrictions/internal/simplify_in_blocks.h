@@ -44,8 +44,8 @@ struct Partial_surface
 // at the border of a block too. Linear.
 inline bool has_edge_of_length_zero(const Corner_table& table, const std::vector<Partial_surface::Point>& points)
 {
-  for(Index h = 0; h < table.source.size(); ++h)
-    if(points[table.source[h]] == points[table.source[Corner_table::next(h)]])
+  for(Index h = 0; h < table.halfedges.size(); ++h)
+    if(points[table.halfedges[h].source] == points[table.halfedges[Corner_table::next(h)].source])
       return true;
   return false;
 }
@@ -70,7 +70,7 @@ inline Face_block make_face_block(const Corner_table& table, const std::vector<P
   for(Index f : faces)
     for(Index h = 3 * f; h < 3 * f + 3; ++h)
     {
-      const Index v = table.source[h];
+      const Index v = table.halfedges[h].source;
       if(blocks.block_of_vertex(v) == null_index)
         border.push_back(v);
       else
@@ -81,7 +81,7 @@ inline Face_block make_face_block(const Corner_table& table, const std::vector<P
   for(Index f : faces)
     for(Index h = 3 * f; h < 3 * f + 3; ++h)
     {
-      const Index v = table.source[h];
+      const Index v = table.halfedges[h].source;
       if(blocks.block_of_vertex(v) == null_index || number[v] != null_index)
         continue;
       number[v] = static_cast<Index>(inside.size());
@@ -91,24 +91,22 @@ inline Face_block make_face_block(const Corner_table& table, const std::vector<P
   result.number_of_vertices_inside = n;
 
   s.table.outgoing.resize(n + border.size());
-  s.table.source.reserve(3 * faces.size());
-  s.table.opposite.reserve(3 * faces.size());
+  s.table.halfedges.reserve(3 * faces.size());
   for(Index i = 0; i < faces.size(); ++i)
     for(Index j = 0; j < 3; ++j)
     {
-      const Index h = 3 * faces[i] + j, o = table.opposite[h], v = table.source[h];
+      const Index h = 3 * faces[i] + j, o = table.halfedges[h].opposite, v = table.halfedges[h].source;
       const Index local = blocks.block_of_vertex(v) != null_index
                               ? number[v]
                               : n + static_cast<Index>(std::lower_bound(border.begin(), border.end(), v) -
                                                        border.begin());
-      s.table.source.push_back(local);
+      s.table.halfedges.push_back(
+          {local, blocks.block_of_face(o / 3) == block ? 3 * blocks.position(o / 3) + o % 3 : null_index});
       s.table.outgoing[local] = 3 * i + j;
-      s.table.opposite.push_back(blocks.block_of_face(o / 3) == block ? 3 * blocks.position(o / 3) + o % 3
-                                                                      : null_index);
     }
-  for(Index h = 0; h < s.table.source.size(); ++h)
-    result.number_of_edges_inside += h < s.table.opposite[h] && s.table.source[h] < n &&
-                                     s.table.source[Corner_table::next(h)] < n;
+  for(Index h = 0; h < s.table.halfedges.size(); ++h)
+    result.number_of_edges_inside += h < s.table.halfedges[h].opposite && s.table.halfedges[h].source < n &&
+                                     s.table.halfedges[Corner_table::next(h)].source < n;
   s.vertices.swap(inside);
   s.vertices.insert(s.vertices.end(), border.begin(), border.end());
   for(Index& v : s.vertices)
@@ -221,7 +219,7 @@ Partial_surface simplify_blocks(const Corner_table& table, const std::vector<Par
     }
     v = number[v];
   }
-  rest.table = make_corner_table(rest.vertices.size(), std::move(corners));
+  rest.table = make_corner_table(rest.vertices.size(), corners);
   return rest;
 }
 

@@ -26,7 +26,7 @@ void surface_mesh_from_corner_table(const Corner_table& table, const PointRange&
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
 
-  const std::size_t nv = table.outgoing.size(), nh = table.source.size();
+  const std::size_t nv = table.outgoing.size(), nh = table.halfedges.size();
   sm.reserve(static_cast<typename Mesh::size_type>(nv), static_cast<typename Mesh::size_type>(nh / 2),
              static_cast<typename Mesh::size_type>(nh / 3));
   for(const auto& p : points)
@@ -34,18 +34,18 @@ void surface_mesh_from_corner_table(const Corner_table& table, const PointRange&
 
   std::vector<Halfedge> halfedge(nh);
   for(Index h = 0; h < nh; ++h)
-    if(h < table.opposite[h])
+    if(h < table.halfedges[h].opposite)
     {
       halfedge[h] = sm.add_edge();
-      if(table.opposite[h] != null_index)
-        halfedge[table.opposite[h]] = sm.opposite(halfedge[h]);
+      if(table.halfedges[h].opposite != null_index)
+        halfedge[table.halfedges[h].opposite] = sm.opposite(halfedge[h]);
     }
   for(Index f = 0; f < nh / 3; ++f)
   {
     const Face face = sm.add_face();
     for(Index h = 3 * f; h < 3 * f + 3; ++h)
     {
-      sm.set_target(halfedge[h], Vertex(table.source[Corner_table::next(h)]));
+      sm.set_target(halfedge[h], Vertex(table.halfedges[Corner_table::next(h)].source));
       sm.set_next(halfedge[h], halfedge[Corner_table::next(h)]);
       sm.set_face(halfedge[h], face);
     }
@@ -54,14 +54,14 @@ void surface_mesh_from_corner_table(const Corner_table& table, const PointRange&
 
   for(Index h = 0; h < nh; ++h)
   {
-    if(table.opposite[h] != null_index)
+    if(table.halfedges[h].opposite != null_index)
       continue;
     // the fan of faces at the source of h ends where a border halfedge starts again
     Index last = Corner_table::prev(h);
-    while(table.opposite[last] != null_index)
-      last = Corner_table::prev(table.opposite[last]);
+    while(table.halfedges[last].opposite != null_index)
+      last = Corner_table::prev(table.halfedges[last].opposite);
     const Halfedge in = sm.opposite(halfedge[h]), out = sm.opposite(halfedge[last]);
-    const Vertex v(table.source[h]);
+    const Vertex v(table.halfedges[h].source);
     sm.set_target(in, v);
     const Halfedge of_other_fan = sm.halfedge(v);
     if(of_other_fan == Mesh::null_halfedge())
@@ -82,7 +82,7 @@ void surface_mesh_from_corner_table(const Corner_table& table, const PointRange&
     if(h == null_index)
       sm.remove_vertex(vertex);
     else if(sm.halfedge(vertex) == Mesh::null_halfedge())
-      sm.set_halfedge(vertex, halfedge[table.opposite[h]]);
+      sm.set_halfedge(vertex, halfedge[table.halfedges[h].opposite]);
   }
 }
 
