@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/internal/policies_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
+#include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
@@ -185,9 +186,9 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   const bool selects_all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
   const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                                 default_maximum_isoperimetric_ratio);
-  const bool with_crossing =
-      selects_all || choose_parameter(get_parameter(np, internal_np::crossing_constrictions), false) ||
-      choose_parameter(get_parameter(np, internal_np::minimum_prominence), default_minimum_prominence) <= 0;
+  // what early selection gives up for what it crosses is not measured in the last one either
+  const Merging_parameters early = internal::carrying_parameters(np).merging;
+  const bool with_crossing = early.crossing || early.minimum_prominence <= 0;
 
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();

@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten_paths.h>
-#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <CGAL/tags.h>
 

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/vectors.h>
 
 #include <CGAL/for_each.h>
 
