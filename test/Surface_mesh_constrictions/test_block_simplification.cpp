@@ -2,6 +2,7 @@
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Face_blocks.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify.h>
 #include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <vector>
@@ -31,7 +33,8 @@ template <class Policies>
 SMC::Collapse_record simplified(const test_meshes::Mesh& mesh, const std::optional<Block_simplification>& in_blocks,
                                 const Policies& policies)
 {
-  return SMC::internal::simplify<CGAL::Sequential_tag>(imported(mesh), policies, true, false, in_blocks,
+  Imported copy = imported(mesh);
+  return SMC::internal::simplify<CGAL::Sequential_tag>(copy, policies, true, false, in_blocks,
                                                        SMC::Detection_visitor_base());
 }
 
@@ -163,20 +166,104 @@ TEST(BlockSimplification, BlocksHaveEachFaceOnceAndAreOfEqualSize)
 {
   const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::chain_of_necks(0.05, 8));
   const Imported whole = imported(mesh);
-  const SMC::internal::Face_blocks blocks(whole.table, whole.points, 100);
-  std::vector<int> seen(mesh.number_of_faces(), 0);
-  for(std::size_t b = 0; b < blocks.size(); ++b)
+  const SMC::internal::Halved_faces halved(whole.table, whole.points, 100);
+  std::vector<Index> faces = halved.order();
+  for(std::size_t b = 0; b + 1 < halved.first().size(); ++b)
   {
-    EXPECT_LE(blocks.faces(b).size(), 100u);
-    EXPECT_GE(blocks.faces(b).size(), 50u);
-    for(Index f : blocks.faces(b))
+    const auto begin = faces.begin() + halved.first()[b], end = faces.begin() + halved.first()[b + 1];
+    EXPECT_LE(end - begin, 100);
+    EXPECT_GE(end - begin, 50);
+    EXPECT_TRUE(std::is_sorted(begin, end));
+  }
+  EXPECT_EQ(halved.first().back(), mesh.number_of_faces());
+  std::sort(faces.begin(), faces.end());
+  for(Index f = 0; f < faces.size(); ++f)
+    EXPECT_EQ(faces[f], f);
+  EXPECT_EQ(faces.size(), mesh.number_of_faces());
+}
+
+// Vertices of which all faces are in one block are inside it.
+TEST(BlockSimplification, BlocksKnowTheirFacesAndTheVerticesInside)
+{
+  const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.05, 8));
+  Imported whole = imported(mesh);
+  const SMC::internal::Halved_faces halved(whole.table, whole.points, 200);
+  whole.reorder_faces(halved.order());
+  const SMC::internal::Face_blocks blocks(whole.table, halved.first());
+  std::vector<std::set<std::size_t> > around(whole.points.size());
+  for(Index b = 0; b < blocks.size(); ++b)
+    for(Index f = blocks.begin(b); f < blocks.end(b); ++f)
     {
-      ++seen[f];
-      EXPECT_EQ(blocks.block_of_face(f), b);
-      EXPECT_EQ(blocks.faces(b)[blocks.position(f)], f);
+      for(Index other = 0; other < blocks.size(); ++other)
+        EXPECT_EQ(blocks.has_face(other, f), other == b);
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        around[whole.table.halfedges[h].source].insert(b);
+    }
+  std::size_t inside = 0;
+  for(Index v = 0; v < around.size(); ++v)
+  {
+    EXPECT_EQ(blocks.block_of_vertex(v), around[v].size() == 1 ? *around[v].begin() : SMC::null_index);
+    inside += around[v].size() == 1;
+  }
+  EXPECT_GT(inside, around.size() / 2);
+}
+
+// A mesh with gaps in its numbers and isolated vertices: the way back from faces in another order.
+TEST(BlockSimplification, FacesInAnotherOrderAreTheSameFaces)
+{
+  test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::relabelled(test_meshes::torus(0.2, 4), 4));
+  mesh.add_vertex({9, 9, 9});
+  const Imported before = imported(mesh);
+  Imported after = imported(mesh);
+  std::vector<Index> order(before.table.halfedges.size() / 3);
+  std::iota(order.rbegin(), order.rend(), Index(0));
+  std::swap(order[3], order[20]);
+  after.reorder_faces(order);
+  ASSERT_EQ(after.table.halfedges.size(), before.table.halfedges.size());
+  for(Index i = 0; i < 3 * order.size(); ++i)
+  {
+    const Index h = 3 * order[i / 3] + i % 3, o = before.table.halfedges[h].opposite;
+    EXPECT_EQ(after.halfedge_of(i), before.halfedge_of(h));
+    EXPECT_EQ(after.table.halfedges[i].source, before.table.halfedges[h].source);
+    EXPECT_EQ(after.halfedge_of(after.table.halfedges[i].opposite), before.halfedge_of(o));
+  }
+  for(Index v = 0; v < before.points.size(); ++v)
+  {
+    if(before.table.outgoing[v] == SMC::null_index)
+      EXPECT_EQ(after.table.outgoing[v], SMC::null_index);
+    else
+      EXPECT_EQ(after.halfedge_of(after.table.outgoing[v]), before.halfedge_of(before.table.outgoing[v]));
+  }
+}
+
+// Several policies simplify the same mesh: the first puts its faces in order, and the next finds them so.
+TEST(BlockSimplification, FacesAreInOrderAfterTheFirstTime)
+{
+  for(const test_meshes::Soup& soup : soups())
+  {
+    const test_meshes::Mesh mesh = test_meshes::make_mesh(soup);
+    Imported whole = imported(mesh);
+    const auto simplify = [&whole] {
+      return SMC::internal::simplify<CGAL::Sequential_tag>(whole, SMC::Garland_heckbert_policies(), true, false,
+                                                           small_blocks(), SMC::Detection_visitor_base());
+    };
+    const SMC::Collapse_record first = simplify();
+    const SMC::internal::Corner_table table = whole.table;
+    const Imported before = imported(mesh);
+    std::size_t moved = 0;
+    for(Index h = 0; h < table.halfedges.size(); h += 3)
+      moved += whole.halfedge_of(h) != before.halfedge_of(h);
+    EXPECT_GT(moved, table.halfedges.size() / 6);
+    const SMC::Collapse_record second = simplify();
+    for(Index h = 0; h < table.halfedges.size(); ++h)
+      EXPECT_EQ(whole.table.halfedges[h].source, table.halfedges[h].source);
+    ASSERT_EQ(first.collapses.size(), second.collapses.size());
+    for(std::size_t i = 0; i < first.collapses.size(); ++i)
+    {
+      EXPECT_EQ(first.collapses[i].removed, second.collapses[i].removed);
+      EXPECT_EQ(first.collapses[i].point, second.collapses[i].point);
     }
   }
-  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
 }
 
 // Two fans of faces of a block that meet in one vertex at its border: what is around the vertex is found from each.

@@ -136,6 +136,24 @@ inline Corner_table make_corner_table(std::size_t number_of_vertices, const std:
   return table;
 }
 
+// The same surface with its faces in another order: first face order[0], then order[1]. Linear.
+inline Corner_table with_faces_in_order(const Corner_table& table, const std::vector<Index>& order)
+{
+  std::vector<Index> place(order.size());
+  for(Index i = 0; i < order.size(); ++i)
+    place[order[i]] = i;
+  const auto moved = [&place](Index h) { return 3 * place[h / 3] + h % 3; };
+  Corner_table result;
+  result.halfedges.reserve(table.halfedges.size());
+  for(Index f : order)
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      result.halfedges.push_back({table.halfedges[h].source, moved(table.halfedges[h].opposite)});
+  result.outgoing.reserve(table.outgoing.size());
+  for(Index h : table.outgoing)
+    result.outgoing.push_back(h == null_index ? null_index : moved(h));
+  return result;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

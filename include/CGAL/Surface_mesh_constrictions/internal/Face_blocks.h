@@ -16,19 +16,15 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // The faces of a surface in compact blocks of about equal size, by halving them again and again at the median of their
-// positions along the longest axis. A vertex is inside a block if all faces around it are in the block, and else it is
-// at the border of several.
-class Face_blocks
+// positions along the longest axis.
+class Halved_faces
 {
 public:
   // Blocks of at most the given number of faces. O(n log n).
   template <class Point>
-  Face_blocks(const Corner_table& table, const std::vector<Point>& points, std::size_t faces)
-    : m_block_of_face(table.halfedges.size() / 3),
-      m_position(table.halfedges.size() / 3),
-      m_block_of_vertex(points.size(), null_index)
+  Halved_faces(const Corner_table& table, const std::vector<Point>& points, std::size_t faces)
   {
-    std::vector<Place> places(m_block_of_face.size());
+    std::vector<Place> places(table.halfedges.size() / 3);
     for(Index f = 0; f < places.size(); ++f)
     {
       places[f].face = f;
@@ -40,26 +36,16 @@ public:
         places[f].at[static_cast<std::size_t>(i)] = static_cast<float>(sum);
       }
     }
+    m_order.reserve(places.size());
     halve(places.begin(), places.end(), faces);
-    for(Index h = 0; h < table.halfedges.size(); ++h)
-      m_block_of_vertex[table.halfedges[h].source] = m_block_of_face[h / 3];
-    for(Index h = 0; h < table.halfedges.size(); ++h)
-      if(m_block_of_face[h / 3] != m_block_of_face[table.halfedges[h].opposite / 3])
-        m_block_of_vertex[table.halfedges[h].source] = m_block_of_vertex[table.halfedges[Corner_table::next(h)].source] = null_index;
+    m_first.push_back(static_cast<Index>(m_order.size()));
   }
 
-  std::size_t size() const { return m_faces.size(); }
+  // all faces, block after block, in ascending order in each
+  const std::vector<Index>& order() const { return m_order; }
 
-  // in ascending order
-  const std::vector<Index>& faces(std::size_t block) const { return m_faces[block]; }
-
-  Index block_of_face(Index f) const { return m_block_of_face[f]; }
-
-  // of a face in faces()
-  Index position(Index f) const { return m_position[f]; }
-
-  // the block that a vertex is inside of; null_index at the border
-  Index block_of_vertex(Index v) const { return m_block_of_vertex[v]; }
+  // where each block begins in the order, and where the last one ends
+  const std::vector<Index>& first() const { return m_first; }
 
 private:
   struct Place
@@ -74,16 +60,10 @@ private:
     const std::size_t n = static_cast<std::size_t>(end - begin);
     if(n <= faces)
     {
-      std::vector<Index> block;
+      m_first.push_back(static_cast<Index>(m_order.size()));
       for(Iterator it = begin; it != end; ++it)
-        block.push_back(it->face);
-      std::sort(block.begin(), block.end());
-      for(Index i = 0; i < n; ++i)
-      {
-        m_block_of_face[block[i]] = static_cast<Index>(m_faces.size());
-        m_position[block[i]] = i;
-      }
-      m_faces.push_back(std::move(block));
+        m_order.push_back(it->face);
+      std::sort(std::next(m_order.begin(), static_cast<std::ptrdiff_t>(m_first.back())), m_order.end());
       return;
     }
     std::array<float, 3> low = begin->at, high = begin->at;
@@ -105,8 +85,44 @@ private:
     halve(middle, end, faces);
   }
 
-  std::vector<Index> m_block_of_face, m_position, m_block_of_vertex;
-  std::vector<std::vector<Index> > m_faces; // by block
+  std::vector<Index> m_order, m_first;
+};
+
+// Blocks of faces of a surface whose faces lie block after block. A vertex is inside a block if all faces around it are
+// in the block, and else it is at the border of several.
+class Face_blocks
+{
+public:
+  // Block b has the faces first[b] to first[b + 1] - 1. Linear.
+  Face_blocks(const Corner_table& table, std::vector<Index> first)
+    : m_first(std::move(first)),
+      m_block_of_vertex(table.outgoing.size(), null_index)
+  {
+    for(Index b = 0; b < size(); ++b)
+      for(Index h = 3 * begin(b); h < 3 * end(b); ++h)
+        m_block_of_vertex[table.halfedges[h].source] = b;
+    for(Index b = 0; b < size(); ++b)
+      for(Index h = 3 * begin(b); h < 3 * end(b); ++h)
+        if(!has_face(b, table.halfedges[h].opposite / 3))
+          m_block_of_vertex[table.halfedges[h].source] =
+              m_block_of_vertex[table.halfedges[Corner_table::next(h)].source] = null_index;
+  }
+
+  std::size_t size() const { return m_first.size() - 1; }
+
+  // the first face of a block
+  Index begin(Index block) const { return m_first[block]; }
+
+  // the face after the last one of a block
+  Index end(Index block) const { return m_first[block + 1]; }
+
+  bool has_face(Index block, Index f) const { return begin(block) <= f && f < end(block); }
+
+  // the block that a vertex is inside of; null_index at the border
+  Index block_of_vertex(Index v) const { return m_block_of_vertex[v]; }
+
+private:
+  std::vector<Index> m_first, m_block_of_vertex;
 };
 
 } // namespace internal

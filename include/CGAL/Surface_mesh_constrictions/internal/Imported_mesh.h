@@ -45,8 +45,8 @@ inline void check_points(const Corner_table& table, const std::vector<Point>& po
 }
 
 // A triangle mesh taken over from a face graph, with the way back. Vertices and faces are numbered in the order of the
-// graph. Faces start at their vertex of smallest index, so that the same mesh in different data structures is taken
-// over the same way.
+// graph, until the faces are put into another order. Faces start at their vertex of smallest index, so that the same
+// mesh in different data structures is taken over the same way.
 template <class TriangleMesh>
 class Imported_mesh
 {
@@ -96,6 +96,17 @@ public:
     }
     table = make_corner_table(points.size(), corners);
     check_points(table, points);
+  }
+
+  // Numbers the faces anew: first face order[0], then order[1].
+  void reorder_faces(const std::vector<Index>& order)
+  {
+    table = with_faces_in_order(table, order);
+    std::vector<halfedge_descriptor> halfedges;
+    halfedges.reserve(order.size());
+    for(Index f : order)
+      halfedges.push_back(m_halfedges[f]);
+    m_halfedges.swap(halfedges);
   }
 
   const TriangleMesh& mesh() const { return m_tm; }

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
+#include <CGAL/Surface_mesh_constrictions/internal/Face_blocks.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Lean_edge_profile.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify_in_blocks.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface_mesh_from_corner_table.h>
@@ -71,10 +72,11 @@ struct Block_simplification
 };
 
 // Simplifies a copy of the mesh as far as CGAL's edge_collapse() goes, or to the first non-face triangle that it meets,
-// and returns what was done. With blocks, a surface of many faces is first simplified in parts. O(n log n), and with
-// blocks nearly linear.
+// and returns what was done. With blocks, a surface of many faces is first simplified in parts; its faces are then
+// numbered anew, block after block, so that what is done in one place lies together in memory from here on. O(n log n),
+// and with blocks nearly linear.
 template <class ConcurrencyTag, class ImportedMesh, class Policies, class Visitor>
-Collapse_record simplify(const ImportedMesh& imported, const Policies& make_policies, bool with_refused_seeds,
+Collapse_record simplify(ImportedMesh& imported, const Policies& make_policies, bool with_refused_seeds,
                          bool first_only, const std::optional<Block_simplification>& in_blocks, const Visitor& visitor)
 {
   Collapse_record record;
@@ -89,8 +91,13 @@ Collapse_record simplify(const ImportedMesh& imported, const Policies& make_poli
       in_blocks && faces > (rest.points.empty() ? in_blocks->whole_faces : in_blocks->block_faces) &&
       faces < faces_before && !has_edge_of_length_zero(*table, *points);)
   {
-    rest = simplify_blocks<ConcurrencyTag>(*table, *points, vertices, in_blocks->block_faces, in_blocks->share,
-                                           make_policies, with_refused_seeds, record, on_step);
+    const Halved_faces halved(*table, *points, in_blocks->block_faces);
+    if(table == &imported.table)
+      imported.reorder_faces(halved.order());
+    else
+      rest.table = with_faces_in_order(rest.table, halved.order());
+    rest = simplify_blocks<ConcurrencyTag>(*table, *points, vertices, Face_blocks(*table, halved.first()),
+                                           in_blocks->share, make_policies, with_refused_seeds, record, on_step);
     table = &rest.table;
     points = &rest.points;
     vertices = rest.vertices;

@@ -65,45 +65,41 @@ inline Face_block make_face_block(const Corner_table& table, const std::vector<P
 {
   Face_block result;
   Partial_surface& s = result.surface;
-  const std::vector<Index>& faces = blocks.faces(block);
+  const Index begin = blocks.begin(block), end = blocks.end(block);
   std::vector<Index> inside, border;
-  for(Index f : faces)
-    for(Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      const Index v = table.halfedges[h].source;
-      if(blocks.block_of_vertex(v) == null_index)
-        border.push_back(v);
-      else
-        number[v] = null_index;
-    }
+  for(Index h = 3 * begin; h < 3 * end; ++h)
+  {
+    const Index v = table.halfedges[h].source;
+    if(blocks.block_of_vertex(v) == null_index)
+      border.push_back(v);
+    else
+      number[v] = null_index;
+  }
   std::sort(border.begin(), border.end());
   border.erase(std::unique(border.begin(), border.end()), border.end());
-  for(Index f : faces)
-    for(Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      const Index v = table.halfedges[h].source;
-      if(blocks.block_of_vertex(v) == null_index || number[v] != null_index)
-        continue;
-      number[v] = static_cast<Index>(inside.size());
-      inside.push_back(v);
-    }
+  for(Index h = 3 * begin; h < 3 * end; ++h)
+  {
+    const Index v = table.halfedges[h].source;
+    if(blocks.block_of_vertex(v) == null_index || number[v] != null_index)
+      continue;
+    number[v] = static_cast<Index>(inside.size());
+    inside.push_back(v);
+  }
   const Index n = static_cast<Index>(inside.size());
   result.number_of_vertices_inside = n;
 
   s.table.outgoing.resize(n + border.size());
-  s.table.halfedges.reserve(3 * faces.size());
-  for(Index i = 0; i < faces.size(); ++i)
-    for(Index j = 0; j < 3; ++j)
-    {
-      const Index h = 3 * faces[i] + j, o = table.halfedges[h].opposite, v = table.halfedges[h].source;
-      const Index local = blocks.block_of_vertex(v) != null_index
-                              ? number[v]
-                              : n + static_cast<Index>(std::lower_bound(border.begin(), border.end(), v) -
-                                                       border.begin());
-      s.table.halfedges.push_back(
-          {local, blocks.block_of_face(o / 3) == block ? 3 * blocks.position(o / 3) + o % 3 : null_index});
-      s.table.outgoing[local] = 3 * i + j;
-    }
+  s.table.halfedges.reserve(3 * (end - begin));
+  for(Index h = 3 * begin; h < 3 * end; ++h)
+  {
+    const Index o = table.halfedges[h].opposite, v = table.halfedges[h].source;
+    const Index local = blocks.block_of_vertex(v) != null_index
+                            ? number[v]
+                            : n + static_cast<Index>(std::lower_bound(border.begin(), border.end(), v) -
+                                                     border.begin());
+    s.table.halfedges.push_back({local, blocks.has_face(block, o / 3) ? o - 3 * begin : null_index});
+    s.table.outgoing[local] = h - 3 * begin;
+  }
   for(Index h = 0; h < s.table.halfedges.size(); ++h)
     result.number_of_edges_inside += h < s.table.halfedges[h].opposite && s.table.halfedges[h].source < n &&
                                      s.table.halfedges[Corner_table::next(h)].source < n;
@@ -166,16 +162,15 @@ Simplified_block simplify_block(const Face_block& block, const Policies& make_po
   return result;
 }
 
-// Simplifies blocks of a surface of about the given number of faces apart from each other, so that each fits into the
-// cache, and several processors can work. What is at the border of a block stays as it is. Appends the collapses to the
-// record, block by block, and returns the surface that is left.
+// Simplifies blocks of a surface apart from each other, so that each fits into the cache, and several processors can
+// work. What is at the border of a block stays as it is. Appends the collapses to the record, block by block, and
+// returns the surface that is left.
 template <class ConcurrencyTag, class Policies, class Progress>
 Partial_surface simplify_blocks(const Corner_table& table, const std::vector<Partial_surface::Point>& points,
-                                const std::vector<Index>& vertices, std::size_t faces, double share,
+                                const std::vector<Index>& vertices, const Face_blocks& blocks, double share,
                                 const Policies& make_policies, bool with_refused_seeds, Collapse_record& record,
                                 const Progress& on_step)
 {
-  const Face_blocks blocks(table, points, faces);
   std::vector<Simplified_block> simplified(blocks.size());
   std::vector<Index> number(points.size());
   std::mutex mutex;
