@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -285,6 +286,62 @@ TEST_F(View, coordinates_may_be_large_or_small)
     for(std::size_t i = 0; i < p.size(); ++i)
       EXPECT_NEAR(p[i], q[i], 1e-6);
   }
+}
+
+// A dumbbell along the x axis around its neck at 0, of more faces than are simplified as a whole, in an order far from
+// that along the surface.
+std::string large_dumbbell()
+{
+  const std::size_t rings = 300, around = 120, n = rings * around, faces = 2 * n;
+  std::string off = "OFF\n" + std::to_string(n + 2) + ' ' + std::to_string(faces) + " 0\n-1.01 0 0\n1.01 0 0\n";
+  for(std::size_t i = 0; i < rings; ++i)
+    for(std::size_t j = 0; j < around; ++j)
+    {
+      const double x = 2 * static_cast<double>(i) / (rings - 1) - 1;
+      const double angle = 2 * std::acos(-1.0) * static_cast<double>(j) / around;
+      const double radius = std::sqrt(1.01 - x * x) * (0.2 + x * x);
+      off += std::to_string(x) + ' ' + std::to_string(radius * std::cos(angle)) + ' ' +
+             std::to_string(radius * std::sin(angle)) + '\n';
+    }
+  const auto vertex = [&](std::size_t i, std::size_t j) { return 2 + i * around + j % around; };
+  std::vector<std::array<std::size_t, 3> > triangles;
+  for(std::size_t j = 0; j < around; ++j)
+  {
+    triangles.push_back({{0, vertex(0, j + 1), vertex(0, j)}});
+    triangles.push_back({{1, vertex(rings - 1, j), vertex(rings - 1, j + 1)}});
+    for(std::size_t i = 0; i + 1 < rings; ++i)
+    {
+      triangles.push_back({{vertex(i, j), vertex(i, j + 1), vertex(i + 1, j)}});
+      triangles.push_back({{vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j)}});
+    }
+  }
+  for(std::size_t f = 0; f < faces; ++f)
+  {
+    const std::array<std::size_t, 3>& t = triangles[f * 7919 % faces];
+    off += "3 " + std::to_string(t[0]) + ' ' + std::to_string(t[1]) + ' ' + std::to_string(t[2]) + '\n';
+  }
+  return off;
+}
+
+TEST_F(View, parts_of_a_large_mesh_are_where_they_are_on_its_levels)
+{
+  write("large.off", large_dumbbell());
+  const Page page = view("large.off");
+  ASSERT_EQ(page.data.at("number_of_parts"), 2);
+  const std::vector<double> points = page.numbers("levels_points"), faces = page.numbers("levels_faces"),
+                            parts = page.numbers("levels_parts");
+  std::array<std::set<double>, 2> parts_of_side;
+  for(std::size_t f = 0; f < parts.size(); ++f)
+  {
+    double x = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      x += points[3 * static_cast<std::size_t>(faces[3 * f + i])] / 3;
+    if(std::abs(x) > 0.05)
+      parts_of_side[x > 0].insert(parts[f]);
+  }
+  EXPECT_EQ(parts_of_side[0].size(), 1u);
+  EXPECT_EQ(parts_of_side[1].size(), 1u);
+  EXPECT_NE(parts_of_side[0], parts_of_side[1]);
 }
 
 TEST_F(View, a_name_stays_text)

@@ -63,10 +63,37 @@ private:
   double m_unit;
 };
 
+// The numbers that the vertices of the mesh have in the progressive mesh, by the index of the vertex.
+std::vector<Index> vertex_numbers(const Mesh& mesh)
+{
+  std::vector<Index> number(mesh.num_vertices(), SMC::null_index);
+  Index n = 0;
+  for(Mesh::Vertex_index v : mesh.vertices())
+    number[v] = n++;
+  return number;
+}
+
+// For each face of the progressive mesh its place in `faces(mesh)`: the detection has an order of its own. `pm` at
+// level 0.
+std::vector<std::size_t> places_of_faces(const Mesh& mesh, const Progressive_mesh& pm)
+{
+  const std::vector<Index> number = vertex_numbers(mesh);
+  std::vector<std::size_t> result(pm.number_of_face_ids());
+  std::size_t place = 0;
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    result[pm.face(pm.halfedge(number[mesh.source(h)], number[mesh.target(h)]))] = place++;
+  }
+  return result;
+}
+
 // Leaves the progressive mesh at its coarsest level.
-Shown_levels shown_levels(Progressive_mesh& pm, const Unit& unit)
+Shown_levels shown_levels(const Mesh& mesh, Progressive_mesh& pm, const Unit& unit)
 {
   Shown_levels result;
+  pm.go_to_level(0);
+  const std::vector<std::size_t> place = places_of_faces(mesh, pm);
   pm.go_to_level(pm.level_with(shown_vertices));
   result.finest_level = pm.level();
   const std::size_t n = pm.number_of_vertices(), collapses = pm.number_of_collapses() - pm.level();
@@ -88,7 +115,7 @@ Shown_levels shown_levels(Progressive_mesh& pm, const Unit& unit)
     if(pm.is_face(f))
     {
       result.faces.push_back({{number[pm.source(3 * f)], number[pm.source(3 * f + 1)], number[pm.source(3 * f + 2)]}});
-      result.input_faces.push_back(f);
+      result.input_faces.push_back(place[f]);
     }
   for(std::size_t i = 0; i < collapses; ++i)
   {
@@ -134,11 +161,7 @@ struct Followed_seed
 // The seeds of each constriction that have the longest way, triangles before others.
 std::vector<Followed_seed> seeds_to_try(const Mesh& mesh, const std::vector<Constriction>& constrictions)
 {
-  std::vector<Index> number(mesh.num_vertices(), SMC::null_index);
-  Index n = 0;
-  for(Mesh::Vertex_index v : mesh.vertices())
-    number[v] = n++;
-
+  const std::vector<Index> number = vertex_numbers(mesh);
   std::vector<Followed_seed> result;
   for(std::size_t c = 0; c < (std::min)(constrictions.size(), followed_constrictions); ++c)
   {
@@ -272,7 +295,7 @@ Playback record_playback(const Mesh& mesh, const std::vector<Constriction>& cons
   Playback result;
   result.collapses = levels.number_of_collapses();
   result.number_followed = (std::min)(constrictions.size(), followed_constrictions);
-  result.surface = shown_levels(levels, unit);
+  result.surface = shown_levels(mesh, levels, unit);
 
   std::vector<std::vector<Mesh::Point> > ends(result.number_followed);
   for(std::size_t c = 0; c < ends.size(); ++c)
