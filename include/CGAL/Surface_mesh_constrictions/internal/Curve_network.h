@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/splitmix64.h>
 
 #include <CGAL/assertions.h>
 
@@ -213,19 +214,11 @@ private:
     return s;
   }
 
-  static std::uint64_t mix(std::uint64_t x) // the finaliser of splitmix64
-  {
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-  }
-
   std::uint64_t hash(const Arc& a) const
   {
-    std::uint64_t sum = mix(2 * static_cast<std::uint64_t>(a.from));
+    std::uint64_t sum = splitmix64(2 * static_cast<std::uint64_t>(a.from));
     for(Index h : a.crossings)
-      sum += mix(2 * static_cast<std::uint64_t>(m_pm.edge(h)) + 1);
+      sum += splitmix64(2 * static_cast<std::uint64_t>(m_pm.edge(h)) + 1);
     return sum;
   }
 

@@ -3,6 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIDE_CLASSES_H
 
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/splitmix64.h>
 
 #include <boost/dynamic_bitset.hpp>
 
@@ -58,7 +59,7 @@ public:
       return c;
     std::uint64_t hash = m_hashes[c];
     for(Index a : curves)
-      hash ^= hash_of_curve(a);
+      hash ^= splitmix64(a);
     const auto inserted = m_numbers.emplace(hash, static_cast<Index>(m_sets.size()));
     if(inserted.second)
     {
@@ -71,15 +72,6 @@ public:
   }
 
 private:
-  // A number as if drawn by lot, so that the sum modulo 2 of those of a set stands for the set (Zobrist).
-  static std::uint64_t hash_of_curve(Index curve) // the finaliser of splitmix64
-  {
-    std::uint64_t x = (curve + 1) * 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-  }
-
   std::unordered_map<std::uint64_t, Index> m_numbers; // by the hash of a set
   std::vector<std::uint64_t> m_hashes;
   std::vector<Curves> m_sets;
