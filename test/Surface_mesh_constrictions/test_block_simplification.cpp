@@ -208,7 +208,7 @@ TEST(BlockSimplification, BlocksKnowTheirFacesAndTheVerticesInside)
   EXPECT_GT(inside, around.size() / 2);
 }
 
-// A mesh with gaps in its numbers and isolated vertices: the way back from faces in another order.
+// With an isolated vertex, which has no halfedge.
 TEST(BlockSimplification, FacesInAnotherOrderAreTheSameFaces)
 {
   test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::relabelled(test_meshes::torus(0.2, 4), 4));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/from_base64.h"
 #include "include/program_fixture.h"
+#include "include/test_meshes.h"
 
 #include "base64.h"
 #include "data_block.h"
@@ -288,60 +289,34 @@ TEST_F(View, coordinates_may_be_large_or_small)
   }
 }
 
-// A dumbbell along the x axis around its neck at 0, of more faces than are simplified as a whole, in an order far from
-// that along the surface.
-std::string large_dumbbell()
-{
-  const std::size_t rings = 300, around = 120, n = rings * around, faces = 2 * n;
-  std::string off = "OFF\n" + std::to_string(n + 2) + ' ' + std::to_string(faces) + " 0\n-1.01 0 0\n1.01 0 0\n";
-  for(std::size_t i = 0; i < rings; ++i)
-    for(std::size_t j = 0; j < around; ++j)
-    {
-      const double x = 2 * static_cast<double>(i) / (rings - 1) - 1;
-      const double angle = 2 * std::acos(-1.0) * static_cast<double>(j) / around;
-      const double radius = std::sqrt(1.01 - x * x) * (0.2 + x * x);
-      off += std::to_string(x) + ' ' + std::to_string(radius * std::cos(angle)) + ' ' +
-             std::to_string(radius * std::sin(angle)) + '\n';
-    }
-  const auto vertex = [&](std::size_t i, std::size_t j) { return 2 + i * around + j % around; };
-  std::vector<std::array<std::size_t, 3> > triangles;
-  for(std::size_t j = 0; j < around; ++j)
-  {
-    triangles.push_back({{0, vertex(0, j + 1), vertex(0, j)}});
-    triangles.push_back({{1, vertex(rings - 1, j), vertex(rings - 1, j + 1)}});
-    for(std::size_t i = 0; i + 1 < rings; ++i)
-    {
-      triangles.push_back({{vertex(i, j), vertex(i, j + 1), vertex(i + 1, j)}});
-      triangles.push_back({{vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j)}});
-    }
-  }
-  for(std::size_t f = 0; f < faces; ++f)
-  {
-    const std::array<std::size_t, 3>& t = triangles[f * 7919 % faces];
-    off += "3 " + std::to_string(t[0]) + ' ' + std::to_string(t[1]) + ' ' + std::to_string(t[2]) + '\n';
-  }
-  return off;
-}
-
+// More faces than are simplified as a whole, in an order far from that along the surface. The neck is in the middle of
+// the z axis, and the frame of a page around the middle of the mesh.
 TEST_F(View, parts_of_a_large_mesh_are_where_they_are_on_its_levels)
 {
-  write("large.off", large_dumbbell());
+  const test_meshes::Soup dumbbell = test_meshes::relabelled(test_meshes::dumbbell(0, 1, 300, 120), 1);
+  std::string off =
+      "OFF\n" + std::to_string(dumbbell.points.size()) + ' ' + std::to_string(dumbbell.faces.size()) + " 0\n";
+  for(const auto& p : dumbbell.points)
+    off += std::to_string(p[0]) + ' ' + std::to_string(p[1]) + ' ' + std::to_string(p[2]) + '\n';
+  for(const auto& f : dumbbell.faces)
+    off += "3 " + std::to_string(f[0]) + ' ' + std::to_string(f[1]) + ' ' + std::to_string(f[2]) + '\n';
+  write("large.off", off);
   const Page page = view("large.off");
   ASSERT_EQ(page.data.at("number_of_parts"), 2);
   const std::vector<double> points = page.numbers("levels_points"), faces = page.numbers("levels_faces"),
                             parts = page.numbers("levels_parts");
-  std::array<std::set<double>, 2> parts_of_side;
+  std::set<double> below, above;
   for(std::size_t f = 0; f < parts.size(); ++f)
   {
-    double x = 0;
+    double z = 0;
     for(std::size_t i = 0; i < 3; ++i)
-      x += points[3 * static_cast<std::size_t>(faces[3 * f + i])] / 3;
-    if(std::abs(x) > 0.05)
-      parts_of_side[x > 0].insert(parts[f]);
+      z += points[3 * static_cast<std::size_t>(faces[3 * f + i]) + 2] / 3;
+    if(std::abs(z) > 0.05)
+      (z < 0 ? below : above).insert(parts[f]);
   }
-  EXPECT_EQ(parts_of_side[0].size(), 1u);
-  EXPECT_EQ(parts_of_side[1].size(), 1u);
-  EXPECT_NE(parts_of_side[0], parts_of_side[1]);
+  EXPECT_EQ(below.size(), 1u);
+  EXPECT_EQ(above.size(), 1u);
+  EXPECT_NE(below, above);
 }
 
 TEST_F(View, a_name_stays_text)

@@ -88,11 +88,10 @@ std::vector<std::size_t> places_of_faces(const Mesh& mesh, const Progressive_mes
   return result;
 }
 
-// Leaves the progressive mesh at its coarsest level.
+// `pm` at level 0; leaves it at its coarsest level.
 Shown_levels shown_levels(const Mesh& mesh, Progressive_mesh& pm, const Unit& unit)
 {
   Shown_levels result;
-  pm.go_to_level(0);
   const std::vector<std::size_t> place = places_of_faces(mesh, pm);
   pm.go_to_level(pm.level_with(shown_vertices));
   result.finest_level = pm.level();

@@ -32,7 +32,7 @@ public:
   /// \tparam OutputIterator takes `CGAL::Surface_mesh_constrictions::Seed_curve`
   ///
   /// \param pm the surface, at the level that the source is called for. Its vertices are numbered as they come in
-  ///        `vertices(tm)`; the order of its faces is that which the simplification of large meshes has left.
+  ///        `vertices(tm)`; its faces may be in another order than in `faces(tm)`.
   /// \param level what is known of this level
   /// \param out takes closed paths of edges of the current surface, with `level` equal to `pm.level()`; no vertex may
   ///        follow itself, and a path has three vertices at least

@@ -49,7 +49,10 @@ public:
     m_number_of_vertices = points.size();
     const std::size_t faces = table.halfedges.size() / 3;
     for(Index h = 0; h < table.halfedges.size(); ++h)
-      sides.push_back({Corner_table::next(h), table.halfedges[h].opposite, h / 3, table.halfedges[h].source, none, false});
+    {
+      const Corner_table::Halfedge& halfedge = table.halfedges[h];
+      sides.push_back({Corner_table::next(h), halfedge.opposite, h / 3, halfedge.source, none, false});
+    }
     for(std::size_t f = 0; f < faces; ++f)
     {
       face_of_cell.push_back(f);
