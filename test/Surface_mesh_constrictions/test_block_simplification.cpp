@@ -275,7 +275,7 @@ TEST(BlockSimplification, FansAtABorderVertexAreLinked)
   table.outgoing = {0, 1, 2, 4, 5};
   const std::vector<test_meshes::Mesh::Point> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
   test_meshes::Mesh mesh;
-  SMC::internal::surface_mesh_from_corner_table(table, points, mesh);
+  SMC::internal::mesh_from_corner_table(table, points, mesh);
   EXPECT_TRUE(mesh.is_valid(true));
   std::set<std::size_t> neighbours;
   for(auto v : vertices_around_target(mesh.halfedge(test_meshes::Mesh::Vertex_index(0)), mesh))

@@ -38,7 +38,7 @@ std::vector<std::array<Mesh::Vertex_index, 3> > triangles(const Profile& profile
 
 TEST(EdgeProfile, TheLeanOneAnswersLikeThatOfCGAL)
 {
-  Mesh mesh = test_meshes::torus_with_border();
+  Mesh mesh = test_meshes::torus_with_border<Mesh>();
   const SMC::internal::Simplification_point_map points = get(CGAL::vertex_point, mesh);
   const SMC::internal::Lean_point_map lean_points(points);
   const Kernel traits;
@@ -90,7 +90,8 @@ std::vector<SMC::Edge_collapse> collapses(Mesh mesh)
 // Lindstrom and Turk ask for triangles, link and borders.
 TEST(EdgeProfile, TheLeanOneLeadsToTheSameCollapses)
 {
-  for(const Mesh& mesh : {test_meshes::make_mesh(test_meshes::torus(0.1, 5)), test_meshes::torus_with_border()})
+  for(const Mesh& mesh :
+      {test_meshes::make_graph<Mesh>(test_meshes::torus(0.1, 5)), test_meshes::torus_with_border<Mesh>()})
   {
     const auto lean = collapses<SMC::internal::Lean_point_map>(mesh);
     const auto full = collapses<SMC::internal::Simplification_point_map>(mesh);

@@ -4,6 +4,7 @@
 
 #include "include/test_meshes.h"
 
+#include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
 
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
@@ -18,7 +19,7 @@ namespace test_garland_heckbert {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace SMS = CGAL::Surface_mesh_simplification;
-using test_meshes::Mesh;
+typedef SMC::Simplification_mesh Mesh;
 
 // The edges that are collapsed and where to, in order.
 struct Collapse_watcher
@@ -61,8 +62,9 @@ TEST(GarlandHeckbert, TheDefaultCollapsesTheSameEdgesToTheSamePointsAsThePlanePo
 #if !defined(EIGEN_VECTORIZE_SSE2) || defined(EIGEN_VECTORIZE_AVX)
   GTEST_SKIP() << "Eigen adds up products of matrices in another order than on x86-64 without extensions";
 #endif
-  for(const Mesh& mesh : {test_meshes::make_mesh(test_meshes::torus(0.1, 5)),
-                          test_meshes::make_mesh(test_meshes::box(7, 5, 4)), test_meshes::torus_with_border()})
+  for(const Mesh& mesh : {test_meshes::make_graph<Mesh>(test_meshes::torus(0.1, 5)),
+                          test_meshes::make_graph<Mesh>(test_meshes::box(7, 5, 4)),
+                          test_meshes::torus_with_border<Mesh>()})
   {
     const auto ours = collapses_of(mesh, SMC::Garland_heckbert_policies());
     const auto theirs =

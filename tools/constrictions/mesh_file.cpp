@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface_mesh_from_corner_table.h>
+#include <CGAL/Surface_mesh_constrictions/internal/mesh_from_corner_table.h>
 
 #include <algorithm>
 #include <array>
@@ -165,7 +165,7 @@ Mesh read_mesh_file(const std::string& name, std::vector<bool>& is_turned)
   const Corner_table table = connect(soup, turned);
   internal::check_points(table, soup.points);
   Mesh mesh;
-  internal::surface_mesh_from_corner_table(table, soup.points, mesh);
+  internal::mesh_from_corner_table(table, soup.points, mesh);
   is_turned.assign(mesh.number_of_faces(), false);
   for(Index f : turned)
     is_turned[f] = true;

@@ -2,7 +2,6 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_SIMPLIFICATION_POLICIES_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_SIMPLIFICATION_POLICIES_H
 
-#include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Plane_quadric_policies.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
@@ -42,8 +41,12 @@ private:
 /// \cgalModels{ConstrictionSimplificationPolicies}
 struct Garland_heckbert_policies
 {
-  /// the policies for a mesh
-  internal::Plane_quadric_policies operator()(Simplification_mesh&) const { return {}; }
+  /// the policies for a mesh, also one of a user's own, whose points have double coordinates
+  template <class TriangleMesh>
+  auto operator()(TriangleMesh& mesh) const
+  {
+    return internal::Plane_quadric_policies<TriangleMesh>(mesh);
+  }
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -52,12 +55,12 @@ struct Garland_heckbert_policies
 /// \cgalModels{ConstrictionSimplificationPolicies}
 struct Lindstrom_turk_policies
 {
-  /// the policies for a mesh
-  auto operator()(Simplification_mesh&) const
+  /// the policies for a mesh, also one of a user's own
+  template <class TriangleMesh>
+  auto operator()(TriangleMesh&) const
   {
     namespace SMS = Surface_mesh_simplification;
-    return Cost_and_placement<SMS::LindstromTurk_cost<Simplification_mesh>,
-                              SMS::LindstromTurk_placement<Simplification_mesh> >({}, {});
+    return Cost_and_placement<SMS::LindstromTurk_cost<TriangleMesh>, SMS::LindstromTurk_placement<TriangleMesh> >({}, {});
   }
 };
 
@@ -67,12 +70,12 @@ struct Lindstrom_turk_policies
 /// \cgalModels{ConstrictionSimplificationPolicies}
 struct Edge_length_policies
 {
-  /// the policies for a mesh
-  auto operator()(Simplification_mesh&) const
+  /// the policies for a mesh, also one of a user's own
+  template <class TriangleMesh>
+  auto operator()(TriangleMesh&) const
   {
     namespace SMS = Surface_mesh_simplification;
-    return Cost_and_placement<SMS::Edge_length_cost<Simplification_mesh>,
-                              SMS::Midpoint_placement<Simplification_mesh> >({}, {});
+    return Cost_and_placement<SMS::Edge_length_cost<TriangleMesh>, SMS::Midpoint_placement<TriangleMesh> >({}, {});
   }
 };
 

@@ -288,12 +288,13 @@ inline Soup torus(double noise, unsigned seed, int along = 30, int around = 14, 
 }
 
 // A torus with holes of one face and more.
-inline Mesh torus_with_border()
+template <class Graph>
+Graph torus_with_border()
 {
-  Mesh mesh = make_mesh(torus(0.2, 7));
+  Graph graph = make_graph<Graph>(torus(0.2, 7));
   for(unsigned f = 0; f < 40; ++f)
-    CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(3 * f)), mesh);
-  return mesh;
+    CGAL::Euler::remove_face(halfedge(typename Graph::Face_index(3 * f), graph), graph);
+  return graph;
 }
 
 // An apex 0 in the middle of a fan of twelve faces whose angles add up to less than pi, closed by a cap. The vertices

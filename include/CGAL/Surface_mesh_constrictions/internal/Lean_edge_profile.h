@@ -17,8 +17,6 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-typedef boost::property_map<Simplification_mesh, CGAL::vertex_point_t>::type Simplification_point_map;
-
 // The points of a mesh that is simplified. With this map CGAL's edge_collapse() makes lean profiles, see below.
 class Lean_point_map
   : public Simplification_point_map

@@ -2,28 +2,32 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PLANE_QUADRIC_POLICIES_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PLANE_QUADRIC_POLICIES_H
 
-#include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Plane_quadric.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
 #include <cmath>
-#include <memory>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The costs and placements of CGAL's GarlandHeckbert_plane_policies, to the last bit. Those work on 4x4 matrices in a
-// property map that is copied at each access; a simplification takes a quarter to a third less time with these.
+// The costs and placements of CGAL's GarlandHeckbert_plane_policies, to the last bit, for a mesh of double coordinates.
+// Those work on 4x4 matrices in a property map that is copied at each access; a simplification takes a quarter to a third
+// less time with these.
 //
 // A model of GetCost and GetPlacement. Copies share the quadrics.
+template <class TriangleMesh>
 class Plane_quadric_policies
 {
 public:
@@ -31,31 +35,34 @@ public:
   typedef Plane_quadric_policies Get_placement;
   typedef CGAL::Tag_true Update_tag; // initialize() and update_after_collapse() are to be called
 
-  Plane_quadric_policies() : m_quadrics(std::make_shared<std::vector<Plane_quadric> >()) {}
+  explicit Plane_quadric_policies(TriangleMesh& mesh)
+    : m_quadrics(get(CGAL::dynamic_vertex_property_t<Plane_quadric>(), mesh))
+  {}
 
   const Get_cost& get_cost() const { return *this; }
   const Get_placement& get_placement() const { return *this; }
 
   // Makes the quadric of each vertex from the planes of its faces, and from planes that hold borders in place. Linear.
   template <class VertexPointMap, class GeomTraits>
-  void initialize(const Simplification_mesh& mesh, VertexPointMap vpm, const GeomTraits&) const
+  void initialize(const TriangleMesh& mesh, VertexPointMap vpm, const GeomTraits&) const
   {
-    m_quadrics->assign(mesh.num_vertices(), Plane_quadric()); // removed ones included
+    for(const auto v : vertices(mesh))
+      put(m_quadrics, v, Plane_quadric());
     for(const auto f : faces(mesh))
     {
-      const auto begin = mesh.halfedge(f);
-      const Plane_quadric quadric = plane(unit(normal(begin, mesh, vpm)), get(vpm, mesh.target(begin)));
+      const auto begin = halfedge(f, mesh);
+      const Plane_quadric quadric = plane(unit(normal(begin, mesh, vpm)), get(vpm, target(begin, mesh)));
       for(const auto h : CGAL::halfedges_around_face(begin, mesh))
       {
-        quadric_of(mesh.source(h)) += quadric;
+        quadric_of(source(h, mesh)) += quadric;
         if(!CGAL::is_border_edge(h, mesh))
           continue;
-        const Point& end = get(vpm, mesh.target(h));
-        const Vector along = end - get(vpm, mesh.source(h));
+        const Point& end = get(vpm, target(h, mesh));
+        const Vector along = end - get(vpm, source(h, mesh));
         const Plane_quadric beside =
             border_weight * plane(unit(CGAL::cross_product(along, normal(h, mesh, vpm))), end);
-        quadric_of(mesh.source(h)) += beside;
-        quadric_of(mesh.target(h)) += beside;
+        quadric_of(source(h, mesh)) += beside;
+        quadric_of(target(h, mesh)) += beside;
       }
     }
   }
@@ -69,7 +76,7 @@ public:
   // the cost of an edge that collapses to a point
   template <class Profile, class OptionalPoint>
   auto operator()(const Profile& profile, const OptionalPoint& placement) const
-      -> decltype(Surface_mesh_simplification::Edge_length_cost<Simplification_mesh>()(profile, placement))
+      -> decltype(Surface_mesh_simplification::Edge_length_cost<TriangleMesh>()(profile, placement))
   {
     if(!placement)
       return {};
@@ -80,15 +87,18 @@ public:
   // the point that an edge collapses to
   template <class Profile>
   auto operator()(const Profile& profile) const
-      -> decltype(Surface_mesh_simplification::Midpoint_placement<Simplification_mesh>()(profile))
+      -> decltype(Surface_mesh_simplification::Midpoint_placement<TriangleMesh>()(profile))
   {
     const Homogeneous p = quadric_of_edge(profile).best_point(homogeneous(profile.p0()), homogeneous(profile.p1()));
     return Point(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
   }
 
 private:
-  typedef Simplification_mesh::Point Point;
-  typedef Exact_predicates_inexact_constructions_kernel::Vector_3 Vector;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Plane_quadric> >::type Quadric_map;
+  typedef typename boost::property_traits<
+      typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type>::value_type Point;
+  typedef typename CGAL::Kernel_traits<Point>::Kernel::Vector_3 Vector;
 
   static constexpr double border_weight = 100;
 
@@ -107,13 +117,13 @@ private:
 
   // the normal of the face of a halfedge, as long as the parallelogram of two edges is large
   template <class VertexPointMap>
-  static Vector normal(Simplification_mesh::Halfedge_index h, const Simplification_mesh& mesh, VertexPointMap vpm)
+  static Vector normal(typename Graph_traits::halfedge_descriptor h, const TriangleMesh& mesh, VertexPointMap vpm)
   {
-    const Point& p = get(vpm, mesh.target(h));
-    return CGAL::cross_product(get(vpm, mesh.target(mesh.next(h))) - p, get(vpm, mesh.source(h)) - p);
+    const Point& p = get(vpm, target(h, mesh));
+    return CGAL::cross_product(get(vpm, target(next(h, mesh), mesh)) - p, get(vpm, source(h, mesh)) - p);
   }
 
-  Plane_quadric& quadric_of(Simplification_mesh::Vertex_index v) const { return (*m_quadrics)[v]; }
+  Plane_quadric& quadric_of(typename Graph_traits::vertex_descriptor v) const { return get(m_quadrics, v); }
 
   template <class Profile>
   Plane_quadric quadric_of_edge(const Profile& profile) const
@@ -122,7 +132,7 @@ private:
     return result += quadric_of(profile.v1());
   }
 
-  std::shared_ptr<std::vector<Plane_quadric> > m_quadrics; // by vertex
+  Quadric_map m_quadrics;
 };
 
 } // namespace internal

@@ -9,8 +9,8 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Face_blocks.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Lean_edge_profile.h>
+#include <CGAL/Surface_mesh_constrictions/internal/mesh_from_corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify_in_blocks.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface_mesh_from_corner_table.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -106,7 +106,7 @@ Collapse_record simplify(ImportedMesh& imported, const Policies& make_policies, 
   }
 
   Simplification_mesh copy;
-  surface_mesh_from_corner_table(*table, *points, copy);
+  mesh_from_corner_table(*table, *points, copy);
   const auto vim = boost::make_iterator_property_map(vertices.begin(), get(boost::vertex_index, copy));
   const Reporting_visitor<std::decay_t<decltype(vim)>, Visitor> recorder(record, vim, with_refused_seeds, visitor);
   const auto policies = make_policies(copy);

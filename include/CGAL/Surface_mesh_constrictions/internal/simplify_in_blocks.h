@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/Face_blocks.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Lean_edge_profile.h>
 #include <CGAL/Surface_mesh_constrictions/internal/Policies_inside_block.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface_mesh_from_corner_table.h>
+#include <CGAL/Surface_mesh_constrictions/internal/mesh_from_corner_table.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -137,7 +137,7 @@ Simplified_block simplify_block(const Face_block& block, const Policies& make_po
 {
   Simplified_block result;
   Simplification_mesh mesh;
-  surface_mesh_from_corner_table(block.surface.table, block.surface.points, mesh);
+  mesh_from_corner_table(block.surface.table, block.surface.points, mesh);
   const auto names = boost::make_iterator_property_map(block.surface.vertices.begin(), get(boost::vertex_index, mesh));
   const Collapse_recording_visitor<std::decay_t<decltype(names)> > recorder(result.record, names, with_refused_seeds);
   const auto policies = make_policies(mesh);
@@ -146,7 +146,7 @@ Simplified_block simplify_block(const Face_block& block, const Policies& make_po
   static_assert(std::is_class<Cost>::value && !std::is_final<Cost>::value,
                 "the cost that simplification_policies make must be a class that can be derived from");
 
-  const std::size_t outside = mesh.number_of_edges() - block.number_of_edges_inside;
+  const std::size_t outside = mesh.num_edges() - block.number_of_edges_inside;
   const Number_of_edges_stop_predicate stop{
       outside + static_cast<std::size_t>(share * static_cast<double>(block.number_of_edges_inside))};
   Surface_mesh_simplification::edge_collapse(

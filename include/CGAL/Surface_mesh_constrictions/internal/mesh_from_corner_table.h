@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_MESH_FROM_CORNER_TABLE_H
-#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_MESH_FROM_CORNER_TABLE_H
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_MESH_FROM_CORNER_TABLE_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_MESH_FROM_CORNER_TABLE_H
 
 #include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
-
-#include <CGAL/Surface_mesh.h>
 
 #include <cstddef>
 #include <vector>
@@ -13,15 +11,14 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Writes the mesh of a corner table into the empty mesh sm: vertices and faces keep their numbers, edges are numbered
-// in the order in which the faces show them, and the halfedge of face f starts at the first corner of f. Isolated
-// vertices keep their number too, but are marked as removed. The table may have a border, where `opposite` is
-// null_index; all fans of faces at a vertex of the border are linked, so that what is around the vertex is found from
-// any of them. Linear, and ten times as fast as add_face(), which has to search.
-template <class Point, class PointRange>
-void surface_mesh_from_corner_table(const Corner_table& table, const PointRange& points, CGAL::Surface_mesh<Point>& sm)
+// Writes the mesh of a corner table into the empty mesh sm, a Simplification_mesh or a CGAL::Surface_mesh: vertices and
+// faces keep their numbers, edges are numbered in the order in which the faces show them, and the halfedge of face f
+// starts at the first corner of f. Isolated vertices keep their number too, but are marked as removed. The table may
+// have a border, where `opposite` is null_index; all fans of faces at a vertex of the border are linked, so that what is
+// around the vertex is found from any of them. Linear, and ten times as fast as add_face(), which has to search.
+template <class Mesh, class PointRange>
+void mesh_from_corner_table(const Corner_table& table, const PointRange& points, Mesh& sm)
 {
-  typedef CGAL::Surface_mesh<Point> Mesh;
   typedef typename Mesh::Vertex_index Vertex;
   typedef typename Mesh::Halfedge_index Halfedge;
   typedef typename Mesh::Face_index Face;
@@ -90,4 +87,4 @@ void surface_mesh_from_corner_table(const Corner_table& table, const PointRange&
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_MESH_FROM_CORNER_TABLE_H
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_MESH_FROM_CORNER_TABLE_H
