@@ -57,6 +57,14 @@ class Comparison:
         return f"{self.number:4} {self.place}  {self.name}"
 
 
+def path_of(header):
+    """The path of an internal header, whichever stage it belongs to."""
+    found = list((PROJECT / HEADERS).glob(f"*/{header}"))
+    if len(found) != 1:
+        raise SystemExit(f"{len(found)} headers {header} in the folders of {HEADERS}")
+    return str(found[0].relative_to(PROJECT))
+
+
 def instrument(text, comparisons, header):
     """Puts a switch into each comparison, and appends it to `comparisons`."""
     lines = []
@@ -86,7 +94,7 @@ def build(build_dir, headers, programs, jobs):
     """Compiles the instrumented copy; returns the comparisons and the programs."""
     source = build_dir / "source"
     comparisons = []
-    instrumented = {f"{HEADERS}/{header}": instrument((PROJECT / HEADERS / header).read_text(), comparisons, header)
+    instrumented = {path_of(header): instrument((PROJECT / path_of(header)).read_text(), comparisons, header)
                     for header in headers}
     # A chain of comparisons is what compilers warn of.
     instrumented["cmake/constrictions_warnings.cmake"] = "add_library(constrictions_warnings INTERFACE)\n"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certificates.h"
-#include "computations.h"
-#include "curves_file.h"
-#include "input_file.h"
+#include "batch/run_batch.h"
+#include "compute/computations.h"
+#include "compute/thread_limit.h"
+#include "input/curves_file.h"
+#include "input/input_file.h"
 #include "options.h"
-#include "output_file.h"
-#include "parts.h"
-#include "run_batch.h"
-#include "thread_limit.h"
-#include "view_page.h"
+#include "output/certificates.h"
+#include "output/output_file.h"
+#include "output/parts.h"
+#include "view/view_page.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>

@@ -2,8 +2,8 @@
 #ifndef CONSTRICTIONS_OPTIONS_H
 #define CONSTRICTIONS_OPTIONS_H
 
-#include "batch_input.h"
-#include "process_pool.h"
+#include "batch/batch_input.h"
+#include "batch/process_pool.h"
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 

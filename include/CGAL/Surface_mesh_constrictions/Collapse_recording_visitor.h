@@ -4,7 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/non_face_triangles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify/non_face_triangles.h>
 
 #include <CGAL/number_utils.h>
 

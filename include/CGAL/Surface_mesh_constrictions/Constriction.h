@@ -4,7 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/floating_point_requirements.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/floating_point_requirements.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/Kernel_traits.h>

@@ -4,10 +4,10 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Cut_locus.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Edge_graph.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Shortest_path_tree.h>
-#include <CGAL/Surface_mesh_constrictions/internal/write_distinct_loops.h>
+#include <CGAL/Surface_mesh_constrictions/internal/seeds/Cut_locus.h>
+#include <CGAL/Surface_mesh_constrictions/internal/seeds/write_distinct_loops.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_graph.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Shortest_path_tree.h>
 #include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 
 #include <CGAL/tags.h>

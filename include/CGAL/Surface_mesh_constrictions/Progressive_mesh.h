@@ -3,9 +3,9 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_PROGRESSIVE_MESH_H
 
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
-#include <CGAL/Surface_mesh_constrictions/internal/floating_point_requirements.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prefetch.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_table.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/floating_point_requirements.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/prefetch.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/assertions.h>

@@ -2,7 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_SEED_PRESERVING_PLACEMENT_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_SEED_PRESERVING_PLACEMENT_H
 
-#include <CGAL/Surface_mesh_constrictions/internal/non_face_triangles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify/non_face_triangles.h>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {

@@ -283,8 +283,8 @@ private:
 } // namespace CGAL
 
 // what makes it a face graph, and what edge_collapse() is fast with
-#include <CGAL/Surface_mesh_constrictions/internal/Simplification_mesh_edge_set.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Simplification_mesh_graph.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Simplification_mesh_properties.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify/Simplification_mesh_edge_set.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify/Simplification_mesh_graph.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify/Simplification_mesh_properties.h>
 
 #endif // CGAL_SURFACE_MESH_CONSTRICTIONS_SIMPLIFICATION_MESH_H

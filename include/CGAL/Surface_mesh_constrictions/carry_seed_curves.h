@@ -5,8 +5,8 @@
 #include <CGAL/Surface_mesh_constrictions/Closed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
-#include <CGAL/Surface_mesh_constrictions/internal/coarsest_first.h>
+#include <CGAL/Surface_mesh_constrictions/internal/carry/Edge_paths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/coarsest_first.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 

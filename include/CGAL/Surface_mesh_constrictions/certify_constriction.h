@@ -4,9 +4,9 @@
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Certified_surface.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Certifier.h>
-#include <CGAL/Surface_mesh_constrictions/internal/exact_arcs_of_locations.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Certified_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Certifier.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/exact_arcs_of_locations.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -5,10 +5,10 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
-#include <CGAL/Surface_mesh_constrictions/internal/crossings_of_curves.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/crossings_of_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -6,8 +6,8 @@
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Query_location.h>
-#include <CGAL/Surface_mesh_constrictions/internal/reordered.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/Query_location.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/reordered.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -2,7 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_EXTRACT_PARTS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_EXTRACT_PARTS_H
 
-#include <CGAL/Surface_mesh_constrictions/internal/fill_hole.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/fill_hole.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -3,7 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_MAKE_PROGRESSIVE_MESH_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -4,17 +4,17 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Edge_paths.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Level_copy.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Trace.h>
-#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/canonical_loop.h>
-#include <CGAL/Surface_mesh_constrictions/internal/coarsest_first.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves_asked_for.h>
-#include <CGAL/Surface_mesh_constrictions/internal/path_beside_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/tighten_paths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/carry/Edge_paths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/carry/curves_asked_for.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/path_beside_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/canonical_loop.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/coarsest_first.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/tighten_paths.h>
 
 #include <CGAL/tags.h>
 

@@ -5,12 +5,12 @@
 #include <CGAL/Surface_mesh_constrictions/Closed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Distinct_curves.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Refinement.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
-#include <CGAL/Surface_mesh_constrictions/internal/arcs_of_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/coarsest_first.h>
+#include <CGAL/Surface_mesh_constrictions/internal/carry/Refinement.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Distinct_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/coarsest_first.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/assertions.h>

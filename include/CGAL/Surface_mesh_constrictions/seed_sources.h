@@ -5,8 +5,8 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
-#include <CGAL/Surface_mesh_constrictions/internal/check_loop.h>
-#include <CGAL/Surface_mesh_constrictions/internal/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_loop.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/section_seeds.h>
 

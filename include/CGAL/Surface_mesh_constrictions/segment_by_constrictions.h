@@ -5,10 +5,10 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Surface_part.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Cut_surface.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Part_finder.h>
-#include <CGAL/Surface_mesh_constrictions/internal/arrange_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/Cut_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/Part_finder.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/arrange_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

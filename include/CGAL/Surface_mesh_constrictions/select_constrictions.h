@@ -5,8 +5,8 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
-#include <CGAL/Surface_mesh_constrictions/internal/composed_constrictions.h>
-#include <CGAL/Surface_mesh_constrictions/internal/reordered.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/composed_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/reordered.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

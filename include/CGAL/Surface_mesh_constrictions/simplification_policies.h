@@ -2,7 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_SIMPLIFICATION_POLICIES_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_SIMPLIFICATION_POLICIES_H
 
-#include <CGAL/Surface_mesh_constrictions/internal/Plane_quadric_policies.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify/Plane_quadric_policies.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_cost.h>

@@ -6,9 +6,9 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Split_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Surface_part.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Curve_splitter.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/arrange_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/Curve_splitter.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/arrange_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

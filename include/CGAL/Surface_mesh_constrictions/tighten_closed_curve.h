@@ -7,15 +7,15 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Corner_angles.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Curve_network.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Curve_settler.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Exact_settler.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Imported_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Surface_sides.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Tightener.h>
-#include <CGAL/Surface_mesh_constrictions/internal/check_loop.h>
-#include <CGAL/Surface_mesh_constrictions/internal/make_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_loop.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/Curve_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Iterator_range.h>

@@ -4,8 +4,8 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Shortest_path_verification.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Arc_verifier.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Curve_nodes.h>
+#include <CGAL/Surface_mesh_constrictions/internal/verify/Arc_verifier.h>
+#include <CGAL/Surface_mesh_constrictions/internal/verify/Curve_nodes.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>

@@ -7,7 +7,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/Corner_table.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_table.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/number_utils.h>
 

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CURVES_ARC_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CURVES_ARC_H
+
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// A sequence of crossed halfedges. Each is crossed from its own face to the opposite one.
+typedef std::vector<Index> Strip;
+
+// The piece of a curve between two consecutive pivots: it runs along an edge, or straight through the strip of faces
+// between the crossed halfedges. The first crossed halfedge is opposite to `from` in its face, the last one opposite
+// to `to` in the face that it is crossed to.
+struct Arc
+{
+  Index from = null_index, to = null_index;
+  Index along = null_index;                           // the edge's halfedge out of `from`, or null_index
+  boost::container::small_vector<Index, 6> crossings; // empty if the arc runs along an edge
+  double length = 0;
+  double start_angle = 0; // at `from`, counterclockwise from start_halfedge() to the arc
+  double end_angle = 0;   // at `to`, counterclockwise from end_halfedge() to the arc
+
+  bool is_edge() const { return along != null_index; }
+};
+
+// The halfedge out of `from` that bounds clockwise the face that the arc leaves through, or that it runs along.
+inline Index start_halfedge(const Progressive_mesh& pm, const Arc& arc)
+{
+  return arc.is_edge() ? arc.along : pm.prev(arc.crossings.front());
+}
+
+// The halfedge out of `to` that bounds clockwise the face that the arc arrives through, or that it runs along.
+inline Index end_halfedge(const Progressive_mesh& pm, const Arc& arc)
+{
+  return arc.is_edge() ? pm.opposite(arc.along) : pm.prev(pm.opposite(arc.crossings.back()));
+}
+
+// Computes the length and the angles of an arc from its combinatorics alone, so that equal arcs have bitwise equal
+// lengths. Linear in the number of crossings.
+inline void measure(const Progressive_mesh& pm, Arc& arc)
+{
+  if(arc.is_edge())
+  {
+    arc.length = norm(vector(pm.point(arc.from), pm.point(arc.to)));
+    arc.start_angle = arc.end_angle = 0;
+    return;
+  }
+  Portal portal = portal_from_apex(pm, arc.crossings.front());
+  for(std::size_t i = 0; i < arc.crossings.size(); ++i)
+  {
+    const Vector2 apex = unfold_apex(pm, arc.crossings[i], portal);
+    if(i + 1 == arc.crossings.size())
+    {
+      arc.length = norm(apex);
+      arc.start_angle = std::atan2(apex.y, apex.x);
+      arc.end_angle = angle(portal.left - apex, Vector2{0, 0} - apex);
+      return;
+    }
+    portal = next_portal(pm, arc.crossings[i], portal, apex, arc.crossings[i + 1]);
+  }
+}
+
+// The sum of the lengths of measured arcs.
+inline double total_length(const std::vector<Arc>& arcs)
+{
+  double sum = 0;
+  for(const Arc& a : arcs)
+    sum += a.length;
+  return sum;
+}
+
+// The angles on the two sides of a curve at a pivot, along the surface.
+struct Side_angles
+{
+  double left, right;
+};
+
+// Side angles between the arc that arrives at a pivot and the one that leaves it. corner(h) is the angle at source(h)
+// in the face of h. O(degree).
+template <class Corner>
+Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing, const Corner& corner)
+{
+  const Index out = start_halfedge(pm, outgoing), in = end_halfedge(pm, incoming);
+  double total = 0, left = 0;
+  Index h = out;
+  do {
+    if(h == in)
+      left = total + incoming.end_angle - outgoing.start_angle;
+    total += corner(h);
+    h = pm.ccw(h);
+  } while(h != out);
+  if(left < 0) // by rounding, unless the arc that arrives lies clockwise of the one that leaves in the same face
+    left = in == out ? left + total : 0;
+  return {left, total - left};
+}
+
+inline Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing)
+{
+  return side_angles(pm, incoming, outgoing, [&pm](Index h) { return corner_angle(pm, h); });
+}
+
+// Appends to `strip` the halfedges that a curve crosses when it passes the pivot between two arcs on the given side
+// instead of through it: the edges of the pivot strictly between the arcs. O(degree).
+inline void append_fan(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing, Curve_side side,
+                       Strip& strip)
+{
+  const Index in = end_halfedge(pm, incoming), out = start_halfedge(pm, outgoing);
+  if(in == out)
+  {
+    // both arcs in one face, or along its edge: one side holds no edge
+    const bool none_on_left = incoming.end_angle >= outgoing.start_angle;
+    const bool none_on_right = incoming.end_angle <= outgoing.start_angle;
+    if(side == Curve_side::LEFT ? none_on_left : none_on_right)
+      return;
+  }
+  if(side == Curve_side::LEFT)
+  {
+    Index h = incoming.is_edge() ? pm.cw(in) : in;
+    do {
+      if(h == out && in != out)
+        return;
+      strip.push_back(h);
+      h = pm.cw(h);
+    } while(h != out);
+  }
+  else
+  {
+    Index h = pm.ccw(in);
+    for(;; h = pm.ccw(h))
+    {
+      if(h == out && outgoing.is_edge())
+        return;
+      strip.push_back(pm.opposite(h));
+      if(h == out)
+        return;
+    }
+  }
+}
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CURVES_ARC_H

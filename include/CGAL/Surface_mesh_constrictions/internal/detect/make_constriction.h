@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_DETECT_MAKE_CONSTRICTION_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_DETECT_MAKE_CONSTRICTION_H
+
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Translates curves of T^0 to the user's mesh.
+template <class TriangleMesh>
+class Constriction_maker
+{
+public:
+  Constriction_maker(const Imported_mesh<TriangleMesh>& imported, const Progressive_mesh& pm,
+                     const Surface_sides& sides)
+    : m_imported(imported), m_pm(pm), m_sides(sides)
+  {}
+
+  Constriction<TriangleMesh> make(const Curve_network& network, Index c, const std::vector<Seed_curve>& seeds,
+                                  double band_width, const Certificate& certificate)
+  {
+    typedef Constriction<TriangleMesh> Result;
+    const std::vector<Arc> arcs = arcs_of_curve(network, c);
+    const std::vector<Trace_point> points = trace(m_pm, arcs);
+    typename Result::Data data;
+    std::size_t arc = 0;
+    for(const Trace_point& p : points)
+    {
+      typename Result::Location location;
+      location.is_pivot = p.is_pivot();
+      location.parameter = p.parameter;
+      if(p.is_pivot())
+      {
+        location.vertex = m_imported.vertex(p.pivot);
+        location.halfedge = typename Result::halfedge_descriptor();
+        const Side_angles angles = side_angles(m_pm, arcs[(arc + arcs.size() - 1) % arcs.size()], arcs[arc]);
+        data.pivots.push_back({location.vertex, data.locations.size(), angles.left, angles.right});
+        data.length += arcs[arc].length;
+        ++arc;
+      }
+      else
+      {
+        location.vertex = typename Result::vertex_descriptor();
+        location.halfedge = m_imported.halfedge_of(p.halfedge);
+      }
+      data.locations.push_back(location);
+    }
+    for(const Seed_curve& s : seeds)
+    {
+      typename Result::Seed seed = {s.level, {}, s.origin};
+      for(Index v : s.vertices)
+        seed.vertices.push_back(m_imported.vertex(v));
+      data.seeds.push_back(std::move(seed));
+    }
+    const double unit = m_imported.unit();
+    data.length *= unit;
+    const Parting parting = m_sides.part(points);
+    data.separating = parting.is_separating();
+    data.homology_class.assign(parting.homology_class.begin(), parting.homology_class.end());
+    data.areas = {{parting.areas[0] * unit * unit, parting.areas[1] * unit * unit}};
+    data.genera = m_sides.genera(points, parting.is_separating());
+    data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting.areas);
+    data.side = m_sides.choked_side(points);
+    data.flat_band_width = band_width * unit;
+    data.certificate = certificate;
+    return Result(std::move(data));
+  }
+
+private:
+  const Imported_mesh<TriangleMesh>& m_imported;
+  const Progressive_mesh& m_pm;
+  const Surface_sides& m_sides;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_DETECT_MAKE_CONSTRICTION_H

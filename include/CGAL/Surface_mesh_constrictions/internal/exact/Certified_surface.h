@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_CERTIFIED_SURFACE_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_CERTIFIED_SURFACE_H
+
+#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Rational.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// What the exact arithmetic sees of a surface: connectivity, and the points as exact numbers. Two models.
+
+typedef std::array<Interval_nt<false>, 3> Interval_point;
+typedef std::array<Rational, 3> Rational_point;
+
+// Called while rounding is upward; what number types other than the built-in ones compute relies on rounding to the
+// nearest.
+template <class Point>
+Interval_point interval_point(const Point& p)
+{
+  typedef std::decay_t<decltype(p.x())> Coordinate;
+  if constexpr(!std::is_arithmetic<Coordinate>::value)
+  {
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+    return {{Interval_nt<false>(CGAL::to_interval(p.x())), Interval_nt<false>(CGAL::to_interval(p.y())),
+             Interval_nt<false>(CGAL::to_interval(p.z()))}};
+  }
+  return {{Interval_nt<false>(CGAL::to_interval(p.x())), Interval_nt<false>(CGAL::to_interval(p.y())),
+           Interval_nt<false>(CGAL::to_interval(p.z()))}};
+}
+
+// Throws Invalid_input if a coordinate is not known to be rational.
+template <class Point>
+Rational_point rational_point(const Point& p)
+{
+  const auto exact = [](const auto& x) {
+    const auto result = exact_rational(x);
+    if(!result)
+      throw Invalid_input(Input_defect::IRRATIONAL_COORDINATE, 0,
+                          "irrational coordinate: no proof for points with a coordinate near " +
+                          std::to_string(CGAL::to_double(x)) + " that is not a rational number of moderate size");
+    return *result;
+  };
+  return {{exact(p.x()), exact(p.y()), exact(p.z())}};
+}
+
+// The functions of a graph are found by the graph's own namespace, but not where members have the same names.
+namespace graph {
+
+template <class Halfedge, class Graph>
+Halfedge next_halfedge(Halfedge h, const Graph& g) { return next(h, g); }
+
+template <class Halfedge, class Graph>
+Halfedge opposite_halfedge(Halfedge h, const Graph& g) { return opposite(h, g); }
+
+template <class Halfedge, class Graph>
+auto source_vertex(Halfedge h, const Graph& g) { return source(h, g); }
+
+template <class Halfedge, class Graph>
+auto target_vertex(Halfedge h, const Graph& g) { return target(h, g); }
+
+template <class Vertex, class Graph>
+auto incoming_halfedge(Vertex v, const Graph& g) { return halfedge(v, g); }
+
+} // namespace graph
+
+// A triangle mesh as it is.
+template <class TriangleMesh, class VertexPointMap>
+class Graph_surface
+{
+public:
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor Vertex;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor Halfedge;
+
+  Graph_surface(const TriangleMesh& tm, VertexPointMap vpm) : m_tm(tm), m_vpm(vpm) {}
+
+  Halfedge next(Halfedge h) const { return graph::next_halfedge(h, m_tm); }
+  Halfedge opposite(Halfedge h) const { return graph::opposite_halfedge(h, m_tm); }
+  Vertex source(Halfedge h) const { return graph::source_vertex(h, m_tm); }
+  Vertex target(Halfedge h) const { return graph::target_vertex(h, m_tm); }
+  Halfedge outgoing(Vertex v) const { return opposite(graph::incoming_halfedge(v, m_tm)); }
+
+  // Throws Invalid_input if h is not in a triangle. Whoever computes with a face asks for this.
+  Halfedge prev(Halfedge h) const
+  {
+    if(CGAL::is_border(h, m_tm))
+      throw Invalid_input(Input_defect::NOT_CLOSED, 0,
+                          "not closed: the edge " + place(h) + " has no face on its other side");
+    const Halfedge result = next(next(h));
+    if(next(result) != h)
+      throw Invalid_input(Input_defect::NOT_TRIANGULAR, 0,
+                          "not a triangle mesh: a face at the edge " + place(h) + " has not three vertices");
+    return result;
+  }
+
+  Interval_point interval_point(Vertex v) const { return internal::interval_point(get(m_vpm, v)); }
+  Rational_point rational_point(Vertex v) const { return internal::rational_point(get(m_vpm, v)); }
+
+private:
+  std::string place(Halfedge h) const
+  {
+    std::ostringstream out;
+    out << "from (" << get(m_vpm, source(h)) << ") to (" << get(m_vpm, target(h)) << ")";
+    return out.str();
+  }
+
+  const TriangleMesh& m_tm;
+  VertexPointMap m_vpm;
+};
+
+// T^0 of a progressive mesh, with the points of the triangle mesh that it was taken over from.
+template <class TriangleMesh, class VertexPointMap>
+class Imported_surface
+{
+public:
+  typedef Index Vertex;
+  typedef Index Halfedge;
+
+  Imported_surface(const Progressive_mesh& pm, const Imported_mesh<TriangleMesh>& imported, VertexPointMap vpm)
+    : m_pm(pm), m_imported(imported), m_vpm(vpm)
+  {}
+
+  Index next(Index h) const { return m_pm.next(h); }
+  Index prev(Index h) const { return m_pm.prev(h); }
+  Index opposite(Index h) const { return m_pm.opposite(h); }
+  Index source(Index h) const { return m_pm.source(h); }
+  Index target(Index h) const { return m_pm.target(h); }
+  Index outgoing(Index v) const { return m_pm.outgoing(v); }
+
+  Interval_point interval_point(Index v) const { return internal::interval_point(get(m_vpm, m_imported.vertex(v))); }
+  Rational_point rational_point(Index v) const { return internal::rational_point(get(m_vpm, m_imported.vertex(v))); }
+
+private:
+  const Progressive_mesh& m_pm;
+  const Imported_mesh<TriangleMesh>& m_imported;
+  VertexPointMap m_vpm;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_CERTIFIED_SURFACE_H

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_CERTIFIER_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_CERTIFIER_H
+
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_flat_band.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_simplicity.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Side_angle.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// What the exact arithmetic finds of a curve: the certificate, and what is needed to mend the curve.
+template <class Surface>
+struct Finding
+{
+  Certificate certificate;
+  std::size_t arc = 0;        // that is not straight, or that starts at the pivot with an angle below pi
+  bool is_whole_turn = false; // of that angle, if both arcs are in one face: whether it goes around the whole pivot
+  std::array<std::vector<Exact_arc<Surface> >, 2> band_ends; // the last copies of flat bands on the left and right
+
+  explicit Finding(Certificate_verdict verdict, std::size_t arc = 0) : arc(arc) { certificate.verdict = verdict; }
+};
+
+// Checks the conditions of Proposition 9 of the paper exactly, and tells strict constrictions, flat bands that hold and
+// flat bands that leak.
+template <class Surface>
+class Certifier
+{
+public:
+  typedef Exact_arc<Surface> Arc;
+
+  explicit Certifier(const Surface& surface) : m_prover(surface) {}
+
+  const Surface& surface() const { return m_prover.surface(); }
+  Sign_prover<Surface>& prover() { return m_prover; }
+
+  // Takes arcs that fit together. See `certify_constriction()` for the cost.
+  Finding<Surface> examine(const std::vector<Arc>& arcs)
+  {
+    const Sign_statistics before = m_prover.statistics();
+    Finding<Surface> result = find(arcs);
+    result.certificate.signs = m_prover.statistics() - before;
+    return result;
+  }
+
+  // Whether a curve of straight arcs is proved not to cross or touch itself.
+  bool is_simple(const std::vector<Arc>& arcs)
+  {
+    return Exact_simplicity<Surface>(m_prover, arcs).find().verdict == Certificate_verdict::NOT_COMPUTED;
+  }
+
+  // NOT_STRAIGHT, TIE_NOT_PROVED, or NOT_COMPUTED if the arc is straight: the ends of each portal lie strictly on their
+  // sides of the line from the one end of the arc to the other.
+  Finding<Surface> examine_arc(const std::vector<Arc>& arcs, std::size_t i)
+  {
+    const Arc& arc = arcs[i];
+    Finding<Surface> result(Certificate_verdict::NOT_COMPUTED, i);
+    if(arc.is_edge())
+      return result;
+    const std::vector<Strip_corner> corners = strip_corners(surface(), arc.crossings);
+    const std::vector<Proved_sign> signs =
+        m_prover.signs(corners.size(), [&](const auto& arithmetic, auto& values) {
+          const auto strip = unfold(surface(), arithmetic, arc);
+          for(std::size_t c = 0; c < corners.size(); ++c)
+            if(values.wants(c))
+            {
+              const auto& portal = strip.portals[corners[c].portal];
+              values[c] = corners[c].side == Curve_side::LEFT ? determinant(strip.apex, portal.left)
+                                                              : determinant(portal.right, strip.apex);
+            }
+        });
+    for(std::size_t c = 0; c < corners.size(); ++c)
+      if(signs[c] != Proved_sign::POSITIVE)
+      {
+        result.certificate.verdict = signs[c] == Proved_sign::UNPROVED ? Certificate_verdict::TIE_NOT_PROVED
+                                                                       : Certificate_verdict::NOT_STRAIGHT;
+        result.certificate.location = arc.location + 1 + corners[c].portal;
+        result.certificate.side = corners[c].side;
+        return result;
+      }
+    return result;
+  }
+
+private:
+  Finding<Surface> find(const std::vector<Arc>& arcs)
+  {
+    for(std::size_t i = 0; i < arcs.size(); ++i)
+    {
+      const Finding<Surface> f = examine_arc(arcs, i);
+      if(f.certificate.verdict != Certificate_verdict::NOT_COMPUTED)
+        return f;
+    }
+
+    bool is_strict[2] = {false, false};
+    for(std::size_t i = 0; i < arcs.size(); ++i)
+      for(Curve_side side : {Curve_side::LEFT, Curve_side::RIGHT})
+      {
+        Side_angle<Surface> angle(m_prover, arcs[(i + arcs.size() - 1) % arcs.size()], arcs[i], side);
+        const Proved_sign sign = angle.sign_beyond_pi();
+        if(sign == Proved_sign::POSITIVE)
+          is_strict[side == Curve_side::LEFT ? 0 : 1] = true;
+        if(sign == Proved_sign::NEGATIVE || sign == Proved_sign::UNPROVED)
+        {
+          Finding<Surface> result(sign == Proved_sign::NEGATIVE ? Certificate_verdict::ANGLE_BELOW_PI
+                                                                : Certificate_verdict::TIE_NOT_PROVED, i);
+          result.certificate.location = arcs[i].location;
+          result.certificate.side = side;
+          result.is_whole_turn = angle.is_whole_turn();
+          return result;
+        }
+      }
+
+    const auto meeting = Exact_simplicity<Surface>(m_prover, arcs).find();
+    if(meeting.verdict != Certificate_verdict::NOT_COMPUTED)
+    {
+      Finding<Surface> result(meeting.verdict);
+      result.certificate.location = meeting.location;
+      result.certificate.other_location = meeting.other_location;
+      return result;
+    }
+
+    if(is_strict[0] && is_strict[1])
+      return Finding<Surface>(Certificate_verdict::STRICT_CONSTRICTION);
+    Finding<Surface> result(Certificate_verdict::CONSTRICTION);
+    for(Curve_side side : {Curve_side::LEFT, Curve_side::RIGHT})
+    {
+      if(is_strict[side == Curve_side::LEFT ? 0 : 1])
+        continue;
+      Exact_band_end<Surface> end = follow_flat_band(m_prover, arcs, side);
+      result.certificate.flat_band_width += end.width;
+      result.band_ends[side == Curve_side::LEFT ? 0 : 1] = std::move(end.curve);
+      if(end.outcome == Band_outcome::HOLDS)
+        continue;
+      result.certificate.verdict = end.outcome == Band_outcome::LEAKS ? Certificate_verdict::LEAKY_BAND
+                                                                      : Certificate_verdict::TIE_NOT_PROVED;
+      result.certificate.location = arcs.front().location;
+      result.certificate.side = side;
+      return result;
+    }
+    return result;
+  }
+
+  Sign_prover<Surface> m_prover;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_CERTIFIER_H

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_CORNER_ARITHMETIC_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_CORNER_ARITHMETIC_H
+
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Finite_field_number.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Multiprecision_interval.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Radical_number.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Rational.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Square_root_basis.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Each arithmetic gives the corners of faces, in its own number type, as complex numbers. The corner of halfedge h is
+// the one at its source a, between h, which leads to b, and the edge to the third vertex c of the face:
+//
+//   corner(h)  a positive multiple of e^(i angle), (c - a).(b - a) + i |(c - a) x (b - a)|
+//   ratio(h)   the complex number (c - a) / (b - a) in the plane of the face: corner(h) / |b - a|^2
+
+// By intervals of doubles, in the rounding mode that Interval_nt<false> needs.
+template <class Surface>
+class Interval_arithmetic
+{
+public:
+  typedef Interval_nt<false> NT;
+
+  explicit Interval_arithmetic(const Surface& surface) : m_surface(surface) {}
+
+  Planar<NT> corner(typename Surface::Halfedge h) const
+  {
+    const Corner c = corner_at(h);
+    return {c.dot, c.double_area};
+  }
+
+  Planar<NT> ratio(typename Surface::Halfedge h) const
+  {
+    const Corner c = corner_at(h);
+    return {c.dot / c.square_length, c.double_area / c.square_length};
+  }
+
+  NT number(int n) const { return NT(n); }
+  int certain_sign(const NT& x) const { return x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0; }
+
+private:
+  typedef std::array<NT, 3> Vector;
+
+  Vector vector(typename Surface::Vertex from, typename Surface::Vertex to) const
+  {
+    const Vector p = m_surface.interval_point(from), q = m_surface.interval_point(to);
+    return {{q[0] - p[0], q[1] - p[1], q[2] - p[2]}};
+  }
+
+  struct Corner
+  {
+    NT dot, square_length, double_area;
+  };
+
+  Corner corner_at(typename Surface::Halfedge h) const
+  {
+    const auto a = m_surface.source(h);
+    const Vector u = vector(a, m_surface.target(h)), v = vector(a, m_surface.source(m_surface.prev(h)));
+    const NT square_area = square(u[1] * v[2] - u[2] * v[1]) + square(u[2] * v[0] - u[0] * v[2]) +
+                           square(u[0] * v[1] - u[1] * v[0]);
+    return {u[0] * v[0] + u[1] * v[1] + u[2] * v[2], square(u[0]) + square(u[1]) + square(u[2]), sqrt(square_area)};
+  }
+
+  const Surface& m_surface;
+};
+
+// The rational numbers that corners are made of, computed once for each corner.
+template <class Surface>
+class Rational_corners
+{
+public:
+  struct Corner
+  {
+    Rational dot;           // (c - a).(b - a)
+    Rational square_length; // |b - a|^2
+    Rational square_area;   // |(c - a) x (b - a)|^2
+  };
+
+  explicit Rational_corners(const Surface& surface) : m_surface(surface) {}
+
+  const Corner& operator()(typename Surface::Halfedge h)
+  {
+    const auto it = m_corners.find(h);
+    if(it != m_corners.end())
+      return it->second;
+    const auto a = m_surface.source(h);
+    const Vector u = vector(a, m_surface.target(h)), v = vector(a, m_surface.source(m_surface.prev(h)));
+    Corner c;
+    c.dot = dot(u, v);
+    c.square_length = dot(u, u);
+    c.square_area = c.square_length * dot(v, v) - c.dot * c.dot;
+    return m_corners.emplace(h, c).first->second;
+  }
+
+  // of all corners that have been asked for
+  std::vector<Rational> radicands() const
+  {
+    std::vector<Rational> result;
+    for(const auto& c : m_corners)
+      result.push_back(c.second.square_area);
+    return result;
+  }
+
+private:
+  typedef std::array<Rational, 3> Vector;
+
+  Vector vector(typename Surface::Vertex from, typename Surface::Vertex to) const
+  {
+    const Vector p = m_surface.rational_point(from), q = m_surface.rational_point(to);
+    return {{q[0] - p[0], q[1] - p[1], q[2] - p[2]}};
+  }
+
+  static Rational dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+  const Surface& m_surface;
+  std::map<typename Surface::Halfedge, Corner> m_corners;
+};
+
+// By intervals of a fixed precision.
+template <class Surface>
+class Multiprecision_arithmetic
+{
+public:
+  typedef Multiprecision_interval NT;
+
+  Multiprecision_arithmetic(Rational_corners<Surface>& corners, mpfr_prec_t precision)
+    : m_corners(corners), m_precision(precision)
+  {}
+
+  Planar<NT> corner(typename Surface::Halfedge h) const
+  {
+    const auto& c = m_corners(h);
+    return {NT(c.dot, m_precision), NT::square_root(c.square_area, m_precision)};
+  }
+
+  Planar<NT> ratio(typename Surface::Halfedge h) const
+  {
+    const auto& c = m_corners(h);
+    return {NT(c.dot / c.square_length, m_precision),
+            NT::square_root(c.square_area / (c.square_length * c.square_length), m_precision)};
+  }
+
+  NT number(int n) const { return NT(n, m_precision); }
+  int certain_sign(const NT& x) const { return x.certain_sign(); }
+
+private:
+  Rational_corners<Surface>& m_corners;
+  mpfr_prec_t m_precision;
+};
+
+// Thrown when a number has no image in the finite field.
+struct No_image
+{};
+
+// In the finite field. The roots of the basis are independent, so any choice of their images extends to a homomorphism
+// from the numbers whose denominators the prime does not divide: a number whose image is not zero is not zero.
+template <class Surface>
+class Finite_field_arithmetic
+{
+public:
+  typedef Finite_field_number NT;
+
+  Finite_field_arithmetic(Rational_corners<Surface>& corners, const Square_root_basis& basis)
+    : m_corners(corners), m_basis(basis)
+  {
+    for(const Integer& b : basis.basis())
+      m_roots.push_back(NT::square_root(b));
+  }
+
+  Planar<NT> corner(typename Surface::Halfedge h) const
+  {
+    const auto& c = m_corners(h);
+    return {image(c.dot), root(c.square_area)};
+  }
+
+  Planar<NT> ratio(typename Surface::Halfedge h) const
+  {
+    const auto& c = m_corners(h);
+    const NT inverse = image(1 / c.square_length);
+    return {image(c.dot) * inverse, root(c.square_area) * inverse};
+  }
+
+  NT number(int n) const { return image(n); }
+
+private:
+  static NT image(const Rational& q)
+  {
+    const auto result = NT::image(q);
+    if(!result)
+      throw No_image();
+    return *result;
+  }
+
+  NT root(const Rational& radicand) const
+  {
+    const Square_root_basis::Root& r = m_basis.root(radicand);
+    NT result = image(r.coefficient);
+    for(std::size_t i = 0; i < m_roots.size(); ++i)
+      if((r.mask >> i) & 1)
+        result = result * m_roots[i];
+    return result;
+  }
+
+  Rational_corners<Surface>& m_corners;
+  const Square_root_basis& m_basis;
+  std::vector<NT> m_roots;
+};
+
+// By sums of roots. Throws Too_many_terms.
+template <class Surface>
+class Radical_arithmetic
+{
+public:
+  typedef Radical_number NT;
+
+  Radical_arithmetic(Rational_corners<Surface>& corners, const Square_root_basis& basis)
+    : m_corners(corners), m_basis(basis), m_field(basis.basis())
+  {}
+
+  Planar<NT> corner(typename Surface::Halfedge h) const
+  {
+    const auto& c = m_corners(h);
+    return {NT(c.dot, 0, m_field), root(c.square_area, 1)};
+  }
+
+  Planar<NT> ratio(typename Surface::Halfedge h) const
+  {
+    const auto& c = m_corners(h);
+    return {NT(c.dot / c.square_length, 0, m_field), root(c.square_area, c.square_length)};
+  }
+
+  NT number(int n) const { return NT(n, 0, m_field); }
+
+private:
+  NT root(const Rational& radicand, const Rational& divisor) const
+  {
+    const Square_root_basis::Root& r = m_basis.root(radicand);
+    return NT(r.coefficient / divisor, r.mask, m_field);
+  }
+
+  Rational_corners<Surface>& m_corners;
+  const Square_root_basis& m_basis;
+  mutable Radical_field m_field;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_CORNER_ARITHMETIC_H

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SIDE_ANGLE_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SIDE_ANGLE_H
+
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Corner_arithmetic.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Rational.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
+
+#include <cstddef>
+#include <map>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// The sum of angles in [0, pi], given as complex numbers, compared with pi by intervals.
+enum class Angle_sum { BELOW_PI, AROUND_PI, ABOVE_PI, UNKNOWN };
+
+// AROUND_PI means that the sum lies strictly between pi / 2 and 3 pi / 2. `product` becomes the product of the numbers
+// unless the answer is ABOVE_PI or UNKNOWN.
+template <class Arithmetic>
+Angle_sum compare_angle_sum(const Arithmetic& arithmetic, const std::vector<Planar<typename Arithmetic::NT> >& angles)
+{
+  Angle_sum sum = Angle_sum::BELOW_PI;
+  Planar<typename Arithmetic::NT> product = {arithmetic.number(1), arithmetic.number(0)};
+  for(const Planar<typename Arithmetic::NT>& angle : angles)
+  {
+    const Planar<typename Arithmetic::NT> next = product * angle;
+    const int sine = arithmetic.certain_sign(next.y()), cosine = arithmetic.certain_sign(next.x());
+    if(sine < 0)
+      return Angle_sum::ABOVE_PI; // from below pi to below 2 pi, or from around pi to below 5/2 pi
+    if(sum == Angle_sum::BELOW_PI)
+    {
+      if(sine == 0 && cosine == 0)
+        return Angle_sum::UNKNOWN;
+      if(sine == 0 && cosine < 0)
+        sum = Angle_sum::AROUND_PI;
+      else if(sine == 0)
+      {
+        // about 0 or about 2 pi
+        const int before = arithmetic.certain_sign(product.x()), added = arithmetic.certain_sign(angle.x());
+        if(before < 0 && added < 0)
+          return Angle_sum::ABOVE_PI;
+        if(before <= 0 && added <= 0)
+          return Angle_sum::UNKNOWN;
+      }
+    }
+    else
+    {
+      if(cosine > 0)
+        return Angle_sum::ABOVE_PI;
+      if(cosine == 0)
+        return Angle_sum::UNKNOWN;
+      if(sine > 0)
+        sum = Angle_sum::BELOW_PI;
+    }
+    product = next;
+  }
+  return sum;
+}
+
+// Compares with pi the angle that a curve makes at a pivot, on one side of it.
+template <class Surface>
+class Side_angle
+{
+public:
+  typedef Exact_arc<Surface> Arc;
+  typedef typename Surface::Halfedge Halfedge;
+
+  Side_angle(Sign_prover<Surface>& prover, const Arc& incoming, const Arc& outgoing, Curve_side side)
+    : m_prover(prover),
+      m_incoming(incoming),
+      m_outgoing(outgoing),
+      m_side(side),
+      m_first(side == Curve_side::LEFT ? start_halfedge(prover.surface(), outgoing)
+                                       : end_halfedge(prover.surface(), incoming)),
+      m_last(side == Curve_side::LEFT ? end_halfedge(prover.surface(), incoming)
+                                      : start_halfedge(prover.surface(), outgoing))
+  {}
+
+  // The sign of angle - pi. O(degree + crossings of both arcs) operations at each stage of the arithmetic.
+  Proved_sign sign_beyond_pi()
+  {
+    if(m_first == m_last)
+    {
+      // both arcs in one face, or along its edge
+      const Proved_sign inside = m_prover.sign([&](const auto& arithmetic, auto& value) {
+        value[0] = determinant(first_direction(arithmetic), last_direction(arithmetic));
+      });
+      if(inside == Proved_sign::UNPROVED)
+        return inside;
+      m_is_whole_turn = inside == Proved_sign::NEGATIVE;
+      if(!m_is_whole_turn)
+        return Proved_sign::NEGATIVE; // no more than a corner of a face
+    }
+    Angle_sum sum = Angle_sum::UNKNOWN;
+    m_prover.decide_by_intervals([&](const auto& arithmetic) {
+      sum = compare_angle_sum(arithmetic, angles(arithmetic));
+      return sum != Angle_sum::UNKNOWN;
+    });
+    switch(sum)
+    {
+    case Angle_sum::BELOW_PI:
+      return Proved_sign::NEGATIVE;
+    case Angle_sum::ABOVE_PI:
+      return Proved_sign::POSITIVE;
+    case Angle_sum::UNKNOWN:
+      return Proved_sign::UNPROVED;
+    default:
+      return &m_incoming == &m_outgoing ? sign_of_loop() : sign_around_pi();
+    }
+  }
+
+  // Of arcs in one face: whether this side goes around the whole pivot. Known after `sign_beyond_pi()`.
+  bool is_whole_turn() const { return m_is_whole_turn; }
+
+private:
+  template <class Arithmetic>
+  Planar<typename Arithmetic::NT> first_direction(const Arithmetic& arithmetic) const
+  {
+    return m_side == Curve_side::LEFT ? start_direction(m_prover.surface(), arithmetic, m_outgoing)
+                                      : end_direction(m_prover.surface(), arithmetic, m_incoming);
+  }
+
+  template <class Arithmetic>
+  Planar<typename Arithmetic::NT> last_direction(const Arithmetic& arithmetic) const
+  {
+    return m_side == Curve_side::LEFT ? end_direction(m_prover.surface(), arithmetic, m_incoming)
+                                      : start_direction(m_prover.surface(), arithmetic, m_outgoing);
+  }
+
+  // Angles that add up to the side angle: what is left of the first corner, whole corners, the part of the last one.
+  template <class Arithmetic>
+  std::vector<Planar<typename Arithmetic::NT> > angles(const Arithmetic& arithmetic) const
+  {
+    std::vector<Planar<typename Arithmetic::NT> > result;
+    result.push_back(relative(first_direction(arithmetic), arithmetic.corner(m_first)));
+    for(Halfedge h = ccw(m_prover.surface(), m_first); h != m_last; h = ccw(m_prover.surface(), h))
+      result.push_back(arithmetic.corner(h));
+    result.push_back(last_direction(arithmetic));
+    return result;
+  }
+
+  // For a sum around pi: minus its sine.
+  Proved_sign sign_around_pi()
+  {
+    return m_prover.sign([&](const auto& arithmetic, auto& value) {
+      Planar<typename std::decay_t<decltype(arithmetic)>::NT> product(arithmetic.number(-1), arithmetic.number(0));
+      for(const auto& angle : angles(arithmetic))
+        product = product * angle;
+      value[0] = product.y();
+    });
+  }
+
+  // A corner of a face, turned counterclockwise or clockwise.
+  struct Turned_corner
+  {
+    Halfedge halfedge;
+    bool is_clockwise;
+  };
+
+  // The same for a curve with this one pivot. The directions of its arc at both ends are those of one line, so the sum
+  // is that of corners alone, by which the strip turns. Of these, equal angles of opposite orientation cancel, as they
+  // do on symmetric surfaces: what would be a long product may then be short enough to be proved zero.
+  Proved_sign sign_of_loop()
+  {
+    const Surface& s = m_prover.surface();
+    const std::vector<Halfedge>& strip = m_incoming.crossings;
+    const bool reversed = m_side == Curve_side::RIGHT;
+    std::vector<Turned_corner> corners;
+    corners.push_back({s.next(s.prev(strip.front())), reversed});
+    for(std::size_t i = 0; i < strip.size(); ++i)
+    {
+      const Halfedge o = s.opposite(strip[i]);
+      const bool moves_left = i + 1 < strip.size() && strip[i + 1] == s.next(o);
+      corners.push_back({moves_left ? s.next(o) : o, moves_left == reversed});
+    }
+    for(Halfedge h = m_first; h != m_last || corners.size() == strip.size() + 1; h = ccw(s, h))
+      corners.push_back({h, false});
+    cancel_opposite(corners);
+    return m_prover.sign([&corners](const auto& arithmetic, auto& value) {
+      Planar<typename std::decay_t<decltype(arithmetic)>::NT> product(arithmetic.number(-1), arithmetic.number(0));
+      for(const Turned_corner& c : corners)
+        product = product * (c.is_clockwise ? conjugate(arithmetic.corner(c.halfedge)) : arithmetic.corner(c.halfedge));
+      value[0] = product.y();
+    });
+  }
+
+  // Removes pairs of equal angles of opposite orientation.
+  void cancel_opposite(std::vector<Turned_corner>& corners) const
+  {
+    // the angle is known by the sign of its cosine and the square of its tangent; a right angle has no tangent
+    typedef std::pair<int, Rational> Key;
+    Rational_corners<Surface> rational(m_prover.surface());
+    std::map<Key, std::vector<std::size_t> > open[2];
+    std::vector<bool> is_cancelled(corners.size(), false);
+    for(std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const auto& c = rational(corners[i].halfedge);
+      const int sign = c.dot > 0 ? 1 : c.dot < 0 ? -1 : 0;
+      const Key key(sign, sign == 0 ? Rational(0) : Rational(c.square_area / (c.dot * c.dot)));
+      std::vector<std::size_t>& partners = open[corners[i].is_clockwise ? 0 : 1][key];
+      if(partners.empty())
+      {
+        open[corners[i].is_clockwise ? 1 : 0][key].push_back(i);
+        continue;
+      }
+      is_cancelled[i] = is_cancelled[partners.back()] = true;
+      partners.pop_back();
+    }
+    std::size_t end = 0;
+    for(std::size_t i = 0; i < corners.size(); ++i)
+      if(!is_cancelled[i])
+        corners[end++] = corners[i];
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(end), corners.end());
+  }
+
+  Sign_prover<Surface>& m_prover;
+  const Arc &m_incoming, &m_outgoing;
+  Curve_side m_side;
+  Halfedge m_first, m_last; // the side is counterclockwise from the one to the other
+  bool m_is_whole_turn = false;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SIDE_ANGLE_H

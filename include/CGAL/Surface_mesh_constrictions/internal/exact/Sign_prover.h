@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SIGN_PROVER_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SIGN_PROVER_H
+
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Corner_arithmetic.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Radical_number.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Square_root_basis.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <mpfr.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+enum class Proved_sign { NEGATIVE, ZERO, POSITIVE, UNPROVED };
+
+inline bool contains(const std::vector<Proved_sign>& signs, Proved_sign sign)
+{
+  return std::find(signs.begin(), signs.end(), sign) != signs.end();
+}
+
+// What an expression fills in: some of its values.
+template <class NT>
+class Wanted_values
+{
+public:
+  explicit Wanted_values(const std::vector<bool>& wanted) : m_wanted(wanted), m_values(wanted.size()) {}
+
+  bool wants(std::size_t i) const { return m_wanted[i]; }
+  NT& operator[](std::size_t i) { return m_values[i]; }
+
+private:
+  const std::vector<bool>& m_wanted;
+  std::vector<NT> m_values;
+};
+
+// Decides the signs of expressions in the corners of a surface's faces, each an element of Q(sqrt r_1, ..., sqrt r_m)
+// with one root for each face: by intervals of doubles; by intervals of growing precision; a value that stays around
+// zero is proved to be no zero by its image in a finite field, and then precision grows until the sign shows; or it is
+// proved to be zero by writing it in a basis of the field.
+template <class Surface>
+class Sign_prover
+{
+public:
+  explicit Sign_prover(const Surface& surface) : m_surface(surface) {}
+
+  const Surface& surface() const { return m_surface; }
+  const Sign_statistics& statistics() const { return m_statistics; }
+
+  // The signs of n values. `expression(arithmetic, values)` sets the values that are wanted; it is called with
+  // different arithmetics and must not depend on more than they give.
+  template <class Expression>
+  std::vector<Proved_sign> signs(std::size_t n, const Expression& expression)
+  {
+    std::vector<Proved_sign> result(n, Proved_sign::UNPROVED);
+    std::vector<bool> wanted(n, true);
+    {
+      Interval_nt<false>::Protector upward;
+      const Interval_arithmetic<Surface> arithmetic(m_surface);
+      m_statistics.interval += decide(expression, arithmetic, wanted, result);
+    }
+    if(!contains(wanted))
+      return result;
+
+    Rational_corners<Surface> corners(m_surface);
+    m_statistics.multiprecision += decide_at(128, corners, expression, wanted, result);
+    if(contains(wanted))
+      decide_close_to_zero(corners, expression, wanted, result);
+    return result;
+  }
+
+  template <class Expression>
+  Proved_sign sign(const Expression& expression)
+  {
+    return signs(1, expression).front();
+  }
+
+  // Calls `attempt(arithmetic)` with intervals of growing precision until it returns true; false if it never does.
+  template <class Attempt>
+  bool decide_by_intervals(const Attempt& attempt)
+  {
+    {
+      Interval_nt<false>::Protector upward;
+      if(attempt(Interval_arithmetic<Surface>(m_surface)))
+      {
+        ++m_statistics.interval;
+        return true;
+      }
+    }
+    Rational_corners<Surface> corners(m_surface);
+    for(mpfr_prec_t precision = 128; precision <= max_precision_of_unproved; precision *= 2)
+      if(attempt(Multiprecision_arithmetic<Surface>(corners, precision)))
+      {
+        ++m_statistics.multiprecision;
+        return true;
+      }
+    ++m_statistics.unproved;
+    return false;
+  }
+
+private:
+  static constexpr mpfr_prec_t max_precision_of_unproved = 4096; // bits
+
+  // Returns the number of values whose signs it found; they are not wanted any more.
+  template <class Expression, class Arithmetic>
+  static std::size_t decide(const Expression& expression, const Arithmetic& arithmetic, std::vector<bool>& wanted,
+                            std::vector<Proved_sign>& result)
+  {
+    Wanted_values<typename Arithmetic::NT> values(wanted);
+    expression(arithmetic, values);
+    std::size_t decided = 0;
+    for(std::size_t i = 0; i < wanted.size(); ++i)
+    {
+      const int sign = wanted[i] ? arithmetic.certain_sign(values[i]) : 0;
+      if(sign == 0)
+        continue;
+      result[i] = sign > 0 ? Proved_sign::POSITIVE : Proved_sign::NEGATIVE;
+      wanted[i] = false;
+      ++decided;
+    }
+    return decided;
+  }
+
+  template <class Expression>
+  static std::size_t decide_at(mpfr_prec_t precision, Rational_corners<Surface>& corners, const Expression& expression,
+                               std::vector<bool>& wanted, std::vector<Proved_sign>& result)
+  {
+    const Multiprecision_arithmetic<Surface> arithmetic(corners, precision);
+    return decide(expression, arithmetic, wanted, result);
+  }
+
+  static bool contains(const std::vector<bool>& wanted)
+  {
+    return std::find(wanted.begin(), wanted.end(), true) != wanted.end();
+  }
+
+  // For values that 128 bits do not tell from zero.
+  template <class Expression>
+  void decide_close_to_zero(Rational_corners<Surface>& corners, const Expression& expression,
+                            const std::vector<bool>& wanted, std::vector<Proved_sign>& result)
+  {
+    const Square_root_basis basis(corners.radicands());
+    std::vector<bool> nonzero(wanted.size(), false), unproved = wanted;
+    if(basis.is_valid())
+    {
+      m_statistics.finite_field += find_nonzero<Finite_field_arithmetic<Surface> >(corners, basis, expression, unproved,
+                                                                                   nonzero, result, false);
+      m_statistics.algebra += find_nonzero<Radical_arithmetic<Surface> >(corners, basis, expression, unproved, nonzero,
+                                                                         result, true);
+    }
+    for(mpfr_prec_t precision = 256; contains(nonzero); precision *= 2)
+      decide_at(precision, corners, expression, nonzero, result);
+    for(mpfr_prec_t precision = 256; contains(unproved) && precision <= max_precision_of_unproved; precision *= 2)
+      m_statistics.multiprecision += decide_at(precision, corners, expression, unproved, result);
+    m_statistics.unproved += static_cast<std::size_t>(std::count(unproved.begin(), unproved.end(), true));
+  }
+
+  // Moves values that are not zero from `unproved` to `nonzero`. If the arithmetic proves zeros, those get their sign.
+  // Returns the number of values that left `unproved`.
+  template <class Arithmetic, class Expression>
+  static std::size_t find_nonzero(Rational_corners<Surface>& corners, const Square_root_basis& basis,
+                                  const Expression& expression, std::vector<bool>& unproved,
+                                  std::vector<bool>& nonzero, std::vector<Proved_sign>& result, bool proves_zero)
+  {
+    std::size_t count = 0;
+    // All at once, as what they have in common need not be computed again; if that fails, one by one.
+    if(evaluate<Arithmetic>(corners, basis, expression, std::vector<bool>(unproved), unproved, nonzero, result,
+                            proves_zero, count))
+      return count;
+    for(std::size_t i = 0; i < unproved.size(); ++i)
+      if(unproved[i])
+      {
+        std::vector<bool> only(unproved.size(), false);
+        only[i] = true;
+        evaluate<Arithmetic>(corners, basis, expression, only, unproved, nonzero, result, proves_zero, count);
+      }
+    return count;
+  }
+
+  // False if the arithmetic gave up.
+  template <class Arithmetic, class Expression>
+  static bool evaluate(Rational_corners<Surface>& corners, const Square_root_basis& basis, const Expression& expression,
+                       const std::vector<bool>& wanted, std::vector<bool>& unproved, std::vector<bool>& nonzero,
+                       std::vector<Proved_sign>& result, bool proves_zero, std::size_t& count)
+  {
+    try
+    {
+      const Arithmetic arithmetic(corners, basis);
+      Wanted_values<typename Arithmetic::NT> values(wanted);
+      expression(arithmetic, values);
+      for(std::size_t i = 0; i < wanted.size(); ++i)
+      {
+        if(!wanted[i] || (values[i].is_zero() && !proves_zero))
+          continue;
+        if(values[i].is_zero())
+          result[i] = Proved_sign::ZERO;
+        else
+          nonzero[i] = true;
+        unproved[i] = false;
+        ++count;
+      }
+      return true;
+    }
+    catch(const No_image&)
+    {
+      return false;
+    }
+    catch(const Too_many_terms&)
+    {
+      return false;
+    }
+  }
+
+  const Surface& m_surface;
+  Sign_statistics m_statistics;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SIGN_PROVER_H

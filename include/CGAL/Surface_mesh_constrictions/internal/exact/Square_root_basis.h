@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SQUARE_ROOT_BASIS_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SQUARE_ROOT_BASIS_H
+
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Rational.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Positive integers b_1, ..., b_m, no product of distinct ones of which is a square, such that each of the given square
+// roots is a rational multiple of a product of some sqrt(b_i). Then the 2^m products are linearly independent over Q.
+//
+// Whether a product is a square is a linear question over the field of two elements: the quadratic characters of the
+// numbers modulo many primes are vectors; vectors that are independent prove the numbers independent, and a dependence
+// is verified with an integer square root.
+class Square_root_basis
+{
+public:
+  // coefficient * product of the sqrt(b_i) whose bits are set
+  struct Root
+  {
+    Rational coefficient;
+    std::uint64_t mask;
+  };
+
+  // Takes numbers that are not negative. O(n (m + number of primes)) steps, and a square root each.
+  explicit Square_root_basis(const std::vector<Rational>& radicands)
+  {
+    for(std::size_t primes = 128; !build(radicands, primes); primes *= 2)
+    {
+      m_basis.clear();
+      m_roots.clear();
+    }
+  }
+
+  // Whether the basis is small enough for the bits of a mask.
+  bool is_valid() const { return m_basis.size() <= 64; }
+
+  const std::vector<Integer>& basis() const { return m_basis; }
+
+  // The square root of one of the numbers given.
+  const Root& root(const Rational& radicand) const { return m_roots.at(radicand); }
+
+private:
+  typedef std::vector<bool> Characters;
+
+  // A vector in echelon form, and the numbers of the basis whose product it belongs to.
+  struct Row
+  {
+    Characters characters;
+    std::size_t pivot;
+    std::vector<bool> members;
+  };
+
+  // False if the primes could not tell two square classes apart.
+  bool build(const std::vector<Rational>& radicands, std::size_t number_of_primes)
+  {
+    std::vector<Integer> numbers;
+    for(const Rational& r : radicands)
+      numbers.push_back(numerator(r) * denominator(r));
+    const std::vector<Integer> primes = make_primes(numbers, number_of_primes);
+
+    std::vector<Row> rows;
+    for(std::size_t i = 0; i < radicands.size(); ++i)
+    {
+      const Integer& n = numbers[i]; // sqrt(radicand) = sqrt(n) / denominator
+      const Integer d = denominator(radicands[i]);
+      if(m_roots.count(radicands[i]) != 0)
+        continue;
+      if(mpz_perfect_square_p(n.backend().data()) != 0)
+      {
+        m_roots[radicands[i]] = Root{Rational(sqrt(n)) / d, 0};
+        continue;
+      }
+      Row row = {characters(n, primes), 0, std::vector<bool>(m_basis.size(), false)};
+      for(const Row& r : rows)
+        if(row.characters[r.pivot])
+          for(std::size_t j = 0; j < row.characters.size(); ++j)
+          {
+            row.characters[j] = row.characters[j] != r.characters[j];
+            if(j < r.members.size())
+              row.members[j] = row.members[j] != r.members[j];
+          }
+      while(row.pivot < row.characters.size() && !row.characters[row.pivot])
+        ++row.pivot;
+      if(row.pivot < row.characters.size())
+      {
+        if(m_basis.size() == 64)
+        {
+          m_basis.emplace_back(n);
+          return true; // too large, whatever follows
+        }
+        m_roots[radicands[i]] = Root{Rational(1) / d, std::uint64_t(1) << m_basis.size()};
+        m_basis.push_back(n);
+        row.members.push_back(true);
+        rows.push_back(row);
+        continue;
+      }
+      Integer product = 1;
+      std::uint64_t mask = 0;
+      for(std::size_t j = 0; j < row.members.size(); ++j)
+        if(row.members[j])
+        {
+          product *= m_basis[j];
+          mask |= std::uint64_t(1) << j;
+        }
+      const Integer square = n * product;
+      if(mpz_perfect_square_p(square.backend().data()) == 0)
+        return false;
+      m_roots[radicands[i]] = Root{Rational(sqrt(square)) / (product * d), mask};
+    }
+    return true;
+  }
+
+  // Primes that divide none of the numbers.
+  static std::vector<Integer> make_primes(const std::vector<Integer>& numbers, std::size_t count)
+  {
+    static const std::vector<Integer> first = primes_after(Integer(1) << 40, 128);
+    std::vector<Integer> primes, candidates = first;
+    for(;;)
+    {
+      for(const Integer& p : candidates)
+      {
+        const auto is_divisible = [&p](const Integer& n) {
+          return n != 0 && mpz_divisible_p(n.backend().data(), p.backend().data()) != 0;
+        };
+        if(std::none_of(numbers.begin(), numbers.end(), is_divisible))
+          primes.push_back(p);
+      }
+      if(primes.size() >= count)
+        return primes;
+      candidates = primes_after(candidates.back(), count - primes.size());
+    }
+  }
+
+  static std::vector<Integer> primes_after(Integer p, std::size_t count)
+  {
+    std::vector<Integer> result;
+    for(; result.size() < count; result.push_back(p))
+      mpz_nextprime(p.backend().data(), p.backend().data());
+    return result;
+  }
+
+  static Characters characters(const Integer& n, const std::vector<Integer>& primes)
+  {
+    Characters result;
+    for(const Integer& p : primes)
+      result.push_back(mpz_kronecker(n.backend().data(), p.backend().data()) < 0);
+    return result;
+  }
+
+  std::vector<Integer> m_basis;
+  std::map<Rational, Root> m_roots;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SQUARE_ROOT_BASIS_H

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_EXACT_ARCS_OF_LOCATIONS_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_EXACT_ARCS_OF_LOCATIONS_H
+
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Flat_closed_strip.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// What the locations of a curve mean.
+template <class Surface>
+struct Located_arcs
+{
+  Certificate_verdict verdict; // NOT_COMPUTED if the arcs are good; else why not
+  std::size_t location;        // that does not fit to the next one
+  std::vector<Exact_arc<Surface> > arcs;
+};
+
+// The copy that runs through vertices of the closed geodesic in a strip that is crossed without pivots. There is one
+// if the strip unfolds to a translation and is nowhere closed by its corners; then all copies have the same verdict.
+template <class Surface>
+Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vector<typename Surface::Halfedge>& strip)
+{
+  const Surface& s = prover.surface();
+  Located_arcs<Surface> result = {Certificate_verdict::NOT_STRAIGHT, 0, {}};
+  Flat_closed_strip<Surface> left(prover, strip, Curve_side::LEFT), right(prover, strip, Curve_side::RIGHT);
+  if(left.is_degenerate() || right.is_degenerate())
+    return result;
+
+  const std::vector<Proved_sign> rotation = prover.signs(2, [&](const auto& arithmetic, auto& values) {
+    const auto portals = unfold_turn(s, arithmetic, strip);
+    const auto image = portals.back().left - portals.back().right;
+    values[0] = image.x() - arithmetic.number(1);
+    values[1] = image.y();
+  });
+  if(rotation[0] == Proved_sign::UNPROVED || rotation[1] == Proved_sign::UNPROVED)
+    result.verdict = Certificate_verdict::TIE_NOT_PROVED;
+  if(rotation[0] != Proved_sign::ZERO || rotation[1] != Proved_sign::ZERO)
+    return result;
+
+  const std::vector<std::size_t> above = left.nearest_corners(), below = right.nearest_corners();
+  if(above.empty() || below.empty())
+  {
+    result.verdict = Certificate_verdict::TIE_NOT_PROVED;
+    return result;
+  }
+  const std::size_t high = left.portal_of_corner(above.front()), low = right.portal_of_corner(below.front());
+  const Proved_sign width = prover.sign([&](const auto& arithmetic, auto& values) {
+    const auto portals = unfold_turn(s, arithmetic, strip);
+    values[0] = determinant(portals.back().right - portals.front().right, portals[high].left - portals[low].right);
+  });
+  if(width != Proved_sign::POSITIVE)
+  {
+    result.verdict = width == Proved_sign::UNPROVED ? Certificate_verdict::TIE_NOT_PROVED
+                                                    : Certificate_verdict::NOT_STRAIGHT;
+    return result;
+  }
+  result.verdict = Certificate_verdict::NOT_COMPUTED;
+  result.arcs = right.curve_through(below);
+  return result;
+}
+
+// Reads a curve off its locations: each a pivot, or a halfedge that is crossed. Linear, but for curves without pivots.
+template <class Surface, class LocationRange>
+Located_arcs<Surface> arcs_of_locations(Sign_prover<Surface>& prover, const LocationRange& locations)
+{
+  typedef typename Surface::Halfedge Halfedge;
+  const Surface& s = prover.surface();
+  Located_arcs<Surface> result = {Certificate_verdict::NOT_A_CLOSED_CURVE, 0, {}};
+  const std::size_t n = locations.size();
+  const auto joins = [&](const auto& p, const auto& q) {
+    if(p.is_pivot && q.is_pivot)
+    {
+      Halfedge h = s.outgoing(p.vertex);
+      for(const Halfedge begin = h; s.target(h) != q.vertex;)
+        if((h = ccw(s, h)) == begin)
+          return false;
+      return true;
+    }
+    if(p.is_pivot)
+      return s.source(s.prev(q.halfedge)) == p.vertex;
+    const Halfedge o = s.opposite(p.halfedge);
+    return q.is_pivot ? s.source(s.prev(o)) == q.vertex : q.halfedge == s.next(o) || q.halfedge == s.prev(o);
+  };
+  std::size_t first = n;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    if(!joins(locations[i], locations[(i + 1) % n]))
+    {
+      result.location = i;
+      return result;
+    }
+    if(first == n && locations[i].is_pivot)
+      first = i;
+  }
+  if(n < 2)
+    return result;
+  if(first == n)
+  {
+    std::vector<Halfedge> strip;
+    for(const auto& l : locations)
+      strip.push_back(l.halfedge);
+    return arcs_of_strip(prover, strip);
+  }
+
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    const std::size_t i = (first + k) % n;
+    const auto& l = locations[i];
+    if(!l.is_pivot)
+    {
+      result.arcs.back().crossings.push_back(l.halfedge);
+      continue;
+    }
+    Exact_arc<Surface> arc;
+    arc.from = l.vertex;
+    arc.location = i;
+    arc.along = s.outgoing(l.vertex);
+    const auto& following = locations[(i + 1) % n];
+    while(following.is_pivot && s.target(arc.along) != following.vertex)
+      arc.along = ccw(s, arc.along);
+    result.arcs.push_back(arc);
+  }
+  for(std::size_t a = 0; a < result.arcs.size(); ++a)
+    result.arcs[a].to = result.arcs[(a + 1) % result.arcs.size()].from;
+  result.verdict = Certificate_verdict::NOT_COMPUTED;
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_EXACT_ARCS_OF_LOCATIONS_H

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PARTS_ARRANGE_CURVES_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PARTS_ARRANGE_CURVES_H
+
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Surface_part.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/Curve_arrangement.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/Cut_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/Part_finder.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// The curves that are to cut, arranged, and what became of each that was given.
+template <class TriangleMesh>
+struct Arranged_curves
+{
+  std::unique_ptr<Curve_arrangement<TriangleMesh>> arrangement;
+  std::vector<Cut_outcome> outcomes;
+};
+
+// The curves that the named parameters choose, the most prominent first, equally prominent ones in their order.
+template <class TriangleMesh, class NamedParameters>
+std::vector<std::size_t> cutting_order(const std::vector<Constriction<TriangleMesh>>& curves, const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  const auto prominence = [&curves](std::size_t i) {
+    return std::isnan(curves[i].prominence()) ? -1 : curves[i].prominence();
+  };
+  std::vector<std::size_t> order;
+  for(std::size_t i = 0; i < curves.size(); ++i)
+  {
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::minimum_prominence_t>::value)
+      if(!(prominence(i) >= get_parameter(np, internal_np::minimum_prominence)))
+        continue;
+    if constexpr(!is_default_parameter<NamedParameters, internal_np::choked_side_t>::value)
+      if(curves[i].side() != get_parameter(np, internal_np::choked_side))
+        continue;
+    order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return prominence(i) > prominence(j); });
+  return order;
+}
+
+// The first `n` curves in this order, without those that cross one before them.
+template <class TriangleMesh>
+Arranged_curves<TriangleMesh> arrange(const TriangleMesh& tm, const std::vector<Constriction<TriangleMesh>>& curves,
+                                      const std::vector<std::size_t>& order, std::size_t n)
+{
+  Arranged_curves<TriangleMesh> result = {std::make_unique<Curve_arrangement<TriangleMesh>>(tm),
+                                          std::vector<Cut_outcome>(curves.size(), {false, Cut_outcome::none})};
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::optional<std::size_t> crossed = result.arrangement->insert(curves[order[i]], order[i]);
+    result.outcomes[order[i]] = {!crossed, crossed.value_or(Cut_outcome::none)};
+  }
+  return result;
+}
+
+// The curves that the named parameters choose, as many as make no more parts than they allow. `imported()` returns the
+// mesh taken over, and is called if parts must be counted.
+template <class TriangleMesh, class NamedParameters, class Imported>
+Arranged_curves<TriangleMesh> arrange_curves(const TriangleMesh& tm,
+                                             const std::vector<Constriction<TriangleMesh>>& curves,
+                                             const Imported& imported, const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  const std::vector<std::size_t> order = cutting_order(curves, np);
+  Arranged_curves<TriangleMesh> result = arrange(tm, curves, order, order.size());
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::maximum_number_of_parts_t>::value)
+  {
+    const std::size_t maximum = get_parameter(np, internal_np::maximum_number_of_parts);
+    const auto& mesh = imported();
+    const auto number_of_parts = [&](std::size_t n) {
+      return Part_finder(Cut_surface(mesh, *arrange(tm, curves, order, n).arrangement)).size();
+    };
+    // the number of parts does not fall as curves are added
+    const auto least_number_for_more_than = [&](std::size_t parts) {
+      std::size_t low = 0, high = order.size() + 1;
+      while(low < high)
+      {
+        const std::size_t middle = (low + high) / 2;
+        if(middle > order.size() || number_of_parts(middle) > parts)
+          high = middle;
+        else
+          low = middle + 1;
+      }
+      return low;
+    };
+    const std::size_t too_many = least_number_for_more_than(maximum);
+    if(too_many == 0)
+      result = arrange(tm, curves, order, 0);
+    else if(too_many <= order.size()) // without the last ones if they add no part
+      result = arrange(tm, curves, order, least_number_for_more_than(number_of_parts(too_many - 1) - 1));
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PARTS_ARRANGE_CURVES_H

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_DISTANCE_FRONT_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_DISTANCE_FRONT_H
+
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/unfolding.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <queue>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Distances of vertices from a set of sources, the nearest vertex first, on the two sides of a curve that the fronts do
+// not cross: fast marching (Kimmel and Sethian 1998). Where the front comes through an edge so that it misses the third
+// corner of the face, the faces behind are unfolded as far as the corner that it hits. A vertex belongs to the side
+// that reaches it first.
+//
+// The arrays are made once for a mesh, and restarted in constant time.
+class Distance_front
+{
+public:
+  // Linear in the size of the mesh.
+  Distance_front(const Progressive_mesh& pm, const Edge_lengths& lengths)
+    : m_pm(pm), m_lengths(lengths), m_vertices(pm.number_of_vertex_ids()), m_barred(pm.number_of_face_ids(), 0)
+  {}
+
+  static constexpr unsigned char both_sides = 2;
+
+  // Forgets everything.
+  void restart()
+  {
+    ++m_sweep;
+    for(std::size_t side = 0; side < 2; ++side)
+    {
+      m_queue[side] = Queue();
+      m_reached[side] = 0;
+    }
+  }
+
+  // Keeps the fronts from crossing a face.
+  void bar(Index f) { m_barred[f] = m_sweep; }
+  bool is_barred(Index f) const { return m_barred[f] == m_sweep; }
+
+  bool is_settled(Index v) const { return m_vertices[v].sweep == m_sweep && m_vertices[v].settled; }
+  bool is_settled(Index v, std::size_t side) const
+  {
+    return is_settled(v) && (m_vertices[v].side == side || m_vertices[v].side == both_sides);
+  }
+
+  // whether the other side has reached a vertex earlier, so far
+  bool belongs_to_other(Index v, std::size_t side) const
+  {
+    return m_vertices[v].sweep == m_sweep && m_vertices[v].side == 1 - side;
+  }
+
+  // of a settled vertex
+  double distance(Index v) const { return m_vertices[v].distance; }
+
+  // the distance up to which a side has been swept
+  double reached(std::size_t side) const { return m_reached[side]; }
+
+  // Settles a vertex on both sides at distance 0.
+  void settle_source(Index v)
+  {
+    m_vertices[v] = {0, m_sweep, both_sides, true};
+  }
+
+  // Notes that a vertex is no further than this from the sources on a side.
+  void offer(Index v, double distance, std::size_t side)
+  {
+    Vertex& x = m_vertices[v];
+    if(x.sweep == m_sweep && (x.settled || x.distance <= distance))
+      return;
+    x = {distance, m_sweep, static_cast<unsigned char>(side), false};
+    m_queue[side].push(Entry{distance, v});
+  }
+
+  // Offers distances to the corners of a face that are not settled, from those that are.
+  void pass_through(Index f, std::size_t side)
+  {
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      if(is_settled(m_pm.source(h), side))
+        pass_from_source(h, side);
+  }
+
+  // Settles the nearest vertex of a side that is not settled. Returns null_index if there is none.
+  Index settle_next(std::size_t side)
+  {
+    Queue& queue = m_queue[side];
+    while(!queue.empty())
+    {
+      const Entry e = queue.top();
+      queue.pop();
+      Vertex& x = m_vertices[e.vertex];
+      if(x.settled || x.side != side || x.distance != e.distance)
+        continue;
+      // fast marching is not quite monotone, what follows relies on it
+      m_reached[side] = x.distance = (std::max)(x.distance, m_reached[side]);
+      x.settled = true;
+      const Index begin = m_pm.outgoing(e.vertex);
+      Index h = begin;
+      do {
+        pass_from_source(h, side);
+        h = m_pm.ccw(h);
+      } while(h != begin);
+      return e.vertex;
+    }
+    return null_index;
+  }
+
+private:
+  struct Vertex
+  {
+    double distance = 0;
+    Index sweep = 0; // the one that the other members are of
+    unsigned char side = 0;
+    bool settled = false;
+  };
+
+  struct Entry
+  {
+    double distance;
+    Index vertex;
+
+    friend bool operator<(const Entry& a, const Entry& b) // the top of the queue is the greatest
+    {
+      return a.distance != b.distance ? a.distance > b.distance : a.vertex > b.vertex;
+    }
+  };
+
+  typedef std::priority_queue<Entry> Queue;
+
+  // Offers distances into the face of a halfedge whose source is settled.
+  void pass_from_source(Index h, std::size_t side)
+  {
+    if(is_barred(m_pm.face(h)))
+      return;
+    const double distance = m_vertices[m_pm.source(h)].distance;
+    const Index last = m_pm.prev(h), u = m_pm.target(h), w = m_pm.source(last);
+    if(!is_settled(u))
+      offer(u, distance + m_lengths[h], side);
+    else if(is_settled(u, side))
+      pass_edge(h, side);
+    if(!is_settled(w))
+      offer(w, distance + m_lengths[last], side);
+    else if(is_settled(w, side))
+      pass_edge(last, side);
+  }
+
+  // A straight front comes through the edge of h, whose ends are settled, into the face of h. Its rays are followed to
+  // the first corner that one of them hits, through eight more faces at most.
+  void pass_edge(Index h, std::size_t side)
+  {
+    if(is_barred(m_pm.face(h)) || is_settled(m_pm.source(m_pm.prev(h))))
+      return;
+    const Index p = m_pm.source(h), q = m_pm.target(h);
+    const double length = m_lengths[h], s = (m_vertices[q].distance - m_vertices[p].distance) / length;
+    if(!(std::abs(s) < 1))
+      return;
+    const Vector2 direction = {s, std::sqrt(1 - s * s)}; // of the rays; the edge runs along the x axis
+
+    const double to_q = m_lengths[Progressive_mesh::next(h)], to_p = m_lengths[Progressive_mesh::prev(h)];
+    Portal portal = {{0, 0}, {length, 0}}; // the source and the target of h
+    Vector2 apex;
+    apex.x = (length * length + to_p * to_p - to_q * to_q) / (2 * length);
+    apex.y = std::sqrt((std::max)(to_p * to_p - apex.x * apex.x, 0.));
+    for(int i = 0;; ++i)
+    {
+      const double foot = apex.x - apex.y * direction.x / direction.y;
+      if(foot >= 0 && foot <= length)
+      {
+        const Index corner = m_pm.source(m_pm.prev(h));
+        if(!is_settled(corner))
+          offer(corner, m_vertices[p].distance + dot(direction, apex), side);
+        return;
+      }
+      // where the corner is not obtuse the front comes to it through another edge
+      if(i == 0 && dot(portal.left - apex, portal.right - apex) >= 0)
+        return;
+      (foot < 0 ? portal.left : portal.right) = apex;
+      h = m_pm.opposite(foot < 0 ? m_pm.next(h) : m_pm.prev(h));
+      if(i == 8 || is_barred(m_pm.face(h)))
+        return;
+      apex = unfold_apex(m_pm, m_pm.opposite(h), portal);
+    }
+  }
+
+  const Progressive_mesh& m_pm;
+  const Edge_lengths& m_lengths;
+  std::vector<Vertex> m_vertices;
+  std::vector<Index> m_barred; // the last sweep that a face was barred in
+  std::array<Queue, 2> m_queue;
+  std::array<double, 2> m_reached = {{0, 0}};
+  Index m_sweep = 0;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_DISTANCE_FRONT_H

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_GROUP_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_GROUP_H
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Consecutive items that one thread works on, and what it makes of them. Groups do not depend on the number of threads,
+// so nor does what depends on how items are grouped.
+template <class Result>
+struct Group
+{
+  std::size_t begin, end;
+  Result result;
+};
+
+// Groups of `size` items, of which the last may have fewer.
+template <class Result>
+std::vector<Group<Result> > make_groups(std::size_t items, std::size_t size)
+{
+  std::vector<Group<Result> > groups;
+  for(std::size_t begin = 0; begin < items; begin += size)
+    groups.push_back({begin, (std::min)(begin + size, items), Result()});
+  return groups;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_GROUP_H

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_SURFACE_CYCLES_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_SURFACE_CYCLES_H
+
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Answers for closed curves what they bound, in time that depends on the curve alone.
+//
+// A spanning tree of the vertices, and one of the faces that crosses none of its edges, leave 2g edges of each
+// component of genus g (tree-cotree decomposition, Eppstein, "Dynamic generators of topologically embedded graphs",
+// 2003). Each of these closes a cycle of faces through the tree of faces, and the cycles are a basis of the first
+// homology group. How often a path crosses each of them, modulo 2, is its homology class; a path bounds if and only if
+// all are even.
+class Surface_cycles
+{
+public:
+  // Linear.
+  explicit Surface_cycles(const Progressive_mesh& pm)
+    : m_pm(pm), m_to_parent(pm.number_of_face_ids(), null_index), m_first(pm.number_of_face_ids(), 0),
+      m_end(pm.number_of_face_ids(), 0), m_root(pm.number_of_face_ids(), null_index),
+      m_area(pm.number_of_face_ids(), 0), m_number_of_vertices(pm.number_of_face_ids(), 0)
+  {
+    std::vector<bool> is_in_tree(pm.number_of_halfedge_ids(), false); // by edge
+    span_vertices(is_in_tree);
+    span_faces(is_in_tree);
+    for(Index h = 0; h < pm.number_of_halfedge_ids(); ++h)
+      if(pm.is_face(pm.face(h)) && pm.edge(h) == h && !is_in_tree[h])
+        m_left_over.push_back(h);
+  }
+
+  // the area of the component that a face belongs to
+  double area_of_component(Index f) const { return m_area[m_root[f]]; }
+
+  // a face that stands for the component that a face belongs to
+  Index component(Index f) const { return m_root[f]; }
+
+  // The basis cycles that a closed path of vertices crosses an odd number of times, ascending. Consecutive vertices may
+  // be equal. O((k + g) log k) for k edges and genus g.
+  std::vector<Index> homology_class(const std::vector<Index>& path) const
+  {
+    std::vector<Index> result;
+    if(m_left_over.empty())
+      return result;
+    std::vector<Index> bounds; // of the intervals of faces beyond the edges of the path
+    std::vector<Index> own;
+    for_each_edge(path, [&](Index h) {
+      const Index child = child_across(h);
+      if(child != null_index)
+      {
+        bounds.push_back(m_first[child]);
+        bounds.push_back(m_end[child]);
+      }
+      const auto it = std::lower_bound(m_left_over.begin(), m_left_over.end(), m_pm.edge(h));
+      if(it != m_left_over.end() && *it == m_pm.edge(h))
+        own.push_back(static_cast<Index>(it - m_left_over.begin()));
+    });
+    std::sort(bounds.begin(), bounds.end());
+    std::vector<bool> is_odd(m_left_over.size(), false);
+    for(Index i : own)
+      is_odd[i] = !is_odd[i];
+    const auto number_before = [&](Index f) {
+      return std::upper_bound(bounds.begin(), bounds.end(), m_first[f]) - bounds.begin();
+    };
+    for(Index i = 0; i < m_left_over.size(); ++i)
+    {
+      const Index h = m_left_over[i];
+      if((number_before(m_pm.face(h)) + number_before(m_pm.face(m_pm.opposite(h)))) % 2 != 0)
+        is_odd[i] = !is_odd[i];
+      if(is_odd[i])
+        result.push_back(i);
+    }
+    return result;
+  }
+
+  // The area on the left of a closed path that bounds, up to multiples of the area of the component. Linear in the
+  // path.
+  double area_on_left(const std::vector<Index>& path) const
+  {
+    double sum = 0;
+    for_each_subtree_beside(path, [&](Index f, int sign) { sum += sign * m_area[f]; });
+    return sum;
+  }
+
+  // The genera of what a simple closed curve that bounds has on its left and on its right. The curve passes no vertex
+  // and is given by the halfedges that it crosses, their targets on its left. Linear in their number.
+  //
+  // The Euler characteristic of what is on the left is V - F / 2, with V its vertices and F the faces whose middle it
+  // has: an edge with m crossings has (m + the number of its ends on the left) / 2 pieces there, and a face with m
+  // strands, each of which cuts off a corner, (m + the number of its corners on the left - [its middle is]) / 2.
+  std::array<std::size_t, 2> genera(const std::vector<Index>& crossings) const
+  {
+    // Moved to its left, to the next vertices, the curve leaves a middle on its right where it cuts off a corner on the
+    // right. A vertex counts as its face's middle does, but for the strands between the two.
+    std::vector<Index> path;
+    for(Index h : crossings)
+      path.push_back(m_pm.target(h));
+    Numbers left;
+    for_each_subtree_beside(path, [&](Index f, int sign) { left.add(subtree(f), sign); });
+    for(std::size_t i = 0; i < crossings.size(); ++i)
+    {
+      const Index h = crossings[i], next = crossings[(i + 1) % crossings.size()], f = m_pm.face(next);
+      const bool is_corner_on_left = m_pm.target(h) == m_pm.target(next);
+      const Index corner = is_corner_on_left ? m_pm.target(h) : m_pm.source(h);
+      const bool belongs_to_face = face_of_vertex(corner) == f;
+      if(is_corner_on_left)
+        left.add({0, belongs_to_face}, 1);
+      else
+      {
+        left.add(own(f), 1);
+        left.add({0, belongs_to_face}, -1);
+      }
+    }
+    // Neither side is without a vertex and the middle of a face, so the multiples of the whole are told.
+    const Numbers whole = subtree(m_root[m_pm.face(crossings.front())]);
+    while(left.faces < 0 || (left.faces == 0 && left.vertices <= 0))
+      left.add(whole, 1);
+    while(left.faces > whole.faces || (left.faces == whole.faces && left.vertices >= whole.vertices))
+      left.add(whole, -1);
+    const auto genus = [](const Numbers& side) {
+      return static_cast<std::size_t>((2 - 2 * side.vertices + side.faces) / 4);
+    };
+    return {{genus(left), genus({whole.faces - left.faces, whole.vertices - left.vertices})}};
+  }
+
+  // the genus of the component that a face belongs to
+  std::size_t genus_of_component(Index f) const
+  {
+    const Numbers whole = subtree(m_root[f]);
+    return static_cast<std::size_t>((4 - 2 * whole.vertices + whole.faces) / 4);
+  }
+
+private:
+  // Of faces, and of the vertices that belong to them.
+  struct Numbers
+  {
+    long faces = 0, vertices = 0;
+
+    void add(const Numbers& other, long factor)
+    {
+      faces += factor * other.faces;
+      vertices += factor * other.vertices;
+    }
+  };
+
+  // The one of its faces that a vertex belongs to.
+  Index face_of_vertex(Index v) const { return m_pm.face(m_pm.outgoing(v)); }
+
+  Numbers own(Index f) const
+  {
+    Numbers result = {1, 0};
+    for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      result.vertices += face_of_vertex(m_pm.source(h)) == f;
+    return result;
+  }
+
+  Numbers subtree(Index f) const
+  {
+    return {static_cast<long>(m_end[f]) - static_cast<long>(m_first[f]), static_cast<long>(m_number_of_vertices[f])};
+  }
+
+  // The subtrees of faces that a path turns off, and 1 or -1 for whether their top is on its left or on its right.
+  template <class F>
+  void for_each_subtree_beside(const std::vector<Index>& path, const F& f) const
+  {
+    for_each_edge(path, [&](Index h) {
+      if(m_to_parent[m_pm.face(h)] == h)
+        f(m_pm.face(h), 1);
+      else if(m_to_parent[m_pm.face(m_pm.opposite(h))] == m_pm.opposite(h))
+        f(m_pm.face(m_pm.opposite(h)), -1);
+    });
+  }
+
+  template <class F>
+  void for_each_edge(const std::vector<Index>& path, const F& f) const
+  {
+    for(std::size_t i = 0; i < path.size(); ++i)
+      if(path[i] != path[(i + 1) % path.size()])
+        f(m_pm.halfedge(path[i], path[(i + 1) % path.size()]));
+  }
+
+  // The face whose way to the root of its tree leads across an edge, or `null_index`.
+  Index child_across(Index h) const
+  {
+    for(Index k : {h, m_pm.opposite(h)})
+      if(m_to_parent[m_pm.face(k)] == k)
+        return m_pm.face(k);
+    return null_index;
+  }
+
+  void span_vertices(std::vector<bool>& is_in_tree) const
+  {
+    std::vector<bool> is_reached(m_pm.number_of_vertex_ids(), false);
+    std::vector<Index> queue;
+    for(Index root = 0; root < m_pm.number_of_vertex_ids(); ++root)
+    {
+      if(!m_pm.is_vertex(root) || is_reached[root])
+        continue;
+      is_reached[root] = true;
+      queue.assign(1, root);
+      for(std::size_t i = 0; i < queue.size(); ++i)
+      {
+        const Index begin = m_pm.outgoing(queue[i]);
+        Index h = begin;
+        do {
+          const Index v = m_pm.target(h);
+          if(!is_reached[v])
+          {
+            is_reached[v] = true;
+            is_in_tree[m_pm.edge(h)] = true;
+            queue.push_back(v);
+          }
+          h = m_pm.ccw(h);
+        } while(h != begin);
+      }
+    }
+  }
+
+  // Numbers the faces such that those of a subtree are consecutive, and adds up areas and vertices towards the roots.
+  void span_faces(std::vector<bool>& is_in_tree)
+  {
+    std::vector<Index> order, stack;
+    for(Index root = 0; root < m_pm.number_of_face_ids(); ++root)
+    {
+      if(!m_pm.is_face(root) || m_root[root] != null_index)
+        continue;
+      const std::size_t begin = order.size();
+      m_root[root] = root;
+      stack.assign(1, root);
+      while(!stack.empty())
+      {
+        const Index f = stack.back();
+        stack.pop_back();
+        m_first[f] = static_cast<Index>(order.size());
+        m_end[f] = m_first[f] + 1;
+        m_area[f] = face_area(m_pm, f);
+        m_number_of_vertices[f] = static_cast<Index>(own(f).vertices);
+        order.push_back(f);
+        for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        {
+          const Index o = m_pm.opposite(h), g = m_pm.face(o);
+          if(is_in_tree[m_pm.edge(h)] || m_root[g] != null_index)
+            continue;
+          m_root[g] = root;
+          m_to_parent[g] = o;
+          is_in_tree[m_pm.edge(h)] = true;
+          stack.push_back(g);
+        }
+      }
+      for(std::size_t i = order.size(); i-- > begin + 1;)
+      {
+        const Index f = order[i], parent = m_pm.face(m_pm.opposite(m_to_parent[f]));
+        m_end[parent] = (std::max)(m_end[parent], m_end[f]);
+        m_area[parent] += m_area[f];
+        m_number_of_vertices[parent] += m_number_of_vertices[f];
+      }
+    }
+  }
+
+  static double face_area(const Progressive_mesh& pm, Index f)
+  {
+    const auto& p = pm.point(pm.source(3 * f));
+    return norm(cross(vector(p, pm.point(pm.source(3 * f + 1))), vector(p, pm.point(pm.source(3 * f + 2))))) / 2;
+  }
+
+  const Progressive_mesh& m_pm;
+  std::vector<Index> m_to_parent;          // of a face: its halfedge to the next face on the way to its root
+  std::vector<Index> m_first, m_end;       // of a face: the numbers of the faces of its subtree
+  std::vector<Index> m_root;               // of the tree that a face belongs to
+  std::vector<double> m_area;              // of the subtree of a face
+  std::vector<Index> m_number_of_vertices; // that belong to the faces of the subtree of a face
+  std::vector<Index> m_left_over;          // edges neither in the tree of vertices nor crossed by that of faces
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_SURFACE_CYCLES_H

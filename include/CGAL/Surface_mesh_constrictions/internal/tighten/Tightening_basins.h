@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTEN_TIGHTENING_BASINS_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTEN_TIGHTENING_BASINS_H
+
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Tightens curves one after the other, and finds out which of them end as the same curve. What a step of the tightening
+// does depends on the curve alone, so a curve that has become what an earlier one was on its way ends where that ended:
+// it is not tightened any further. Not every curve on the way is kept in mind, but one in eight, chosen by its hash:
+// two that have met pass the same ones soon.
+class Tightening_basins
+{
+public:
+  Tightening_basins(Curve_network& network, Tightener& tightener) : m_network(network), m_tightener(tightener) {}
+
+  // Tightens a curve. Returns the earlier one that it ends as, or the curve itself if it is the first one to end so;
+  // null_index if it degenerates, and then it is left without arcs. Curves must be given in the order of their ids.
+  Index tighten(Index c)
+  {
+    m_ends.resize(static_cast<std::size_t>(c) + 1, null_index);
+    Index known = null_index;
+    const auto pass = [&](Index curve) {
+      if(m_network.is_empty(curve))
+        return true;
+      if((m_network.curve(curve).hash & 7u) != 0)
+        return false;
+      const auto passed = m_passed.emplace(m_network.curve(curve).hash, curve);
+      known = passed.first->second;
+      return known != curve;
+    };
+    if(!pass(c))
+    {
+      m_tightener.enqueue_all(c);
+      m_tightener.run(pass);
+    }
+    if(m_network.is_empty(c))
+      return null_index;
+    if(known == null_index || known == c)
+      known = m_passed.emplace(m_network.curve(c).hash, c).first->second;
+    m_ends[c] = known == c ? c : m_ends[known];
+    if(m_ends[c] == null_index)
+      m_network.remove(c);
+    return m_ends[c];
+  }
+
+private:
+  Curve_network& m_network;
+  Tightener& m_tightener;
+  std::vector<Index> m_ends;                         // by curve
+  std::unordered_map<std::uint64_t, Index> m_passed; // the first curve that was ever equal to one of that hash
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_TIGHTEN_TIGHTENING_BASINS_H

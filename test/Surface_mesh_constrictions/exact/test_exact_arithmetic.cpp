@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/exact_models.h"
+#include "include/random_hull.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
+#include <CGAL/Quotient.h>
+#include <CGAL/MP_Float.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Certified_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Finite_field_number.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Multiprecision_interval.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Radical_number.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Rational.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Side_angle.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Square_root_basis.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <type_traits>
+#include <vector>
+
+namespace test_exact_arithmetic {
+
+using namespace CGAL::Surface_mesh_constrictions;
+using namespace CGAL::Surface_mesh_constrictions::internal;
+
+Rational fraction(int n, int d) { return Rational(Integer(n), Integer(d)); }
+
+TEST(ExactRational, OfEveryKindOfNumber)
+{
+  EXPECT_EQ(*exact_rational(0.1), Rational(0.1));
+  EXPECT_EQ(*exact_rational(7), Rational(7));
+  typedef CGAL::Exact_predicates_exact_constructions_kernel::FT Lazy;
+  EXPECT_EQ(*exact_rational(Lazy(1) / Lazy(3)), fraction(1, 3));
+  EXPECT_EQ(*exact_rational(CGAL::Quotient<CGAL::MP_Float>(2, 7)), fraction(2, 7));
+  typedef CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT Root;
+  EXPECT_EQ(*exact_rational(Root(0.1)), Rational(0.1));
+  EXPECT_EQ(*exact_rational(Root(-5) / Root(7)), fraction(-5, 7));
+  EXPECT_EQ(*exact_rational(CGAL::sqrt(Root(9)) / Root(4)), fraction(9, 12));
+  EXPECT_FALSE(exact_rational(CGAL::sqrt(Root(2))));
+  EXPECT_FALSE(exact_rational(Root(1e20) + Root(1) / Root(3))); // whose neighbouring integers are no doubles
+}
+
+TEST(SquareRootBasis, ReducesToSquareClasses)
+{
+  // 12 = 3 * 2^2, 27 = 3 * 3^2, 18 = 2 * 3^2, 24 = 2 * 3 * 2^2, 25 = 5^2
+  const Square_root_basis basis({12, 27, 18, 24, 25, 0, fraction(3, 4)});
+  EXPECT_TRUE(basis.is_valid());
+  ASSERT_EQ(basis.basis().size(), 2u);
+  EXPECT_EQ(basis.root(12).coefficient, 1);
+  EXPECT_EQ(basis.root(27).mask, basis.root(12).mask);
+  EXPECT_EQ(basis.root(27).coefficient, fraction(3, 2)); // sqrt 27 = 3/2 sqrt 12
+  EXPECT_EQ(basis.root(24).mask, basis.root(12).mask | basis.root(18).mask);
+  EXPECT_EQ(basis.root(24).coefficient, fraction(1, 3)); // sqrt 24 = sqrt 12 sqrt 18 / 3
+  EXPECT_EQ(basis.root(25).mask, 0u);
+  EXPECT_EQ(basis.root(25).coefficient, 5);
+  EXPECT_EQ(basis.root(0).coefficient, 0);
+  EXPECT_EQ(basis.root(fraction(3, 4)).coefficient, fraction(1, 4)); // sqrt(3/4) = sqrt 12 / 4
+}
+
+TEST(SquareRootBasis, EachRootSquaredIsItsRadicand)
+{
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> integer(1, 60);
+  std::vector<Rational> radicands;
+  for(int i = 0; i < 40; ++i)
+    radicands.push_back(fraction(integer(random), integer(random)));
+  const Square_root_basis basis(radicands);
+  for(const Rational& r : radicands)
+  {
+    Rational square = basis.root(r).coefficient * basis.root(r).coefficient;
+    for(std::size_t i = 0; i < basis.basis().size(); ++i)
+      if((basis.root(r).mask >> i) & 1)
+        square *= basis.basis()[i];
+    EXPECT_EQ(square, r);
+    EXPECT_GT(basis.root(r).coefficient, 0);
+  }
+}
+
+TEST(SquareRootBasis, MoreThan64ClassesAreTooMany)
+{
+  std::vector<Rational> primes;
+  for(int p = 2; primes.size() < 70; ++p)
+  {
+    bool is_prime = true;
+    for(int d = 2; d * d <= p; ++d)
+      is_prime = is_prime && p % d != 0;
+    if(is_prime)
+      primes.emplace_back(p);
+  }
+  EXPECT_FALSE(Square_root_basis(primes).is_valid());
+  primes.resize(60);
+  EXPECT_TRUE(Square_root_basis(primes).is_valid());
+  EXPECT_EQ(Square_root_basis(primes).basis().size(), 60u);
+}
+
+// sqrt 2, sqrt 3 and sqrt 6 as elements of a field with two roots.
+struct RootsOfSix : public ::testing::Test
+{
+  Square_root_basis basis = Square_root_basis({2, 3, 6});
+  Radical_field field = Radical_field(basis.basis());
+
+  Radical_number radical(int r)
+  {
+    return Radical_number(basis.root(r).coefficient, basis.root(r).mask, field);
+  }
+  Radical_number radical_integer(int n) { return Radical_number(n, 0, field); }
+
+  Finite_field_number modular(int r) const
+  {
+    Finite_field_number result = *Finite_field_number::image(basis.root(r).coefficient);
+    for(std::size_t i = 0; i < basis.basis().size(); ++i)
+      if((basis.root(r).mask >> i) & 1)
+        result = result * Finite_field_number::square_root(basis.basis()[i]);
+    return result;
+  }
+};
+
+TEST_F(RootsOfSix, ZeroIsProvedByTheBasis)
+{
+  const Radical_number sum = radical(2) + radical(3);
+  EXPECT_TRUE((sum * sum - radical_integer(5) - radical_integer(2) * radical(6)).is_zero());
+  EXPECT_FALSE((sum * sum - radical_integer(5) - radical(6)).is_zero());
+  EXPECT_FALSE((radical(2) * radical(3) + radical(6)).is_zero());
+}
+
+TEST_F(RootsOfSix, FiniteFieldRespectsEveryRelation)
+{
+  const Finite_field_number sum = modular(2) + modular(3), two = *Finite_field_number::image(2),
+                            five = *Finite_field_number::image(5);
+  EXPECT_TRUE((sum * sum - five - two * modular(6)).is_zero());
+  EXPECT_FALSE((sum * sum - five - modular(6)).is_zero());
+  EXPECT_FALSE(Finite_field_number::image(Rational(Integer(1), Integer(Finite_field_number::prime))));
+}
+
+TEST_F(RootsOfSix, TooManyStepsAreGivenUp)
+{
+  field.steps_left = 3;
+  EXPECT_THROW((radical(2) + radical(3)) * (radical(2) + radical(3)), Too_many_terms);
+}
+
+TEST(MultiprecisionInterval, EnclosesRootsAndProducts)
+{
+  for(mpfr_prec_t precision : {2, 24, 53, 300})
+  {
+    const auto root = Multiprecision_interval::square_root(2, precision);
+    const auto error = root * root - Multiprecision_interval(2, precision);
+    EXPECT_EQ(error.certain_sign(), 0) << precision;
+    EXPECT_EQ((root - Multiprecision_interval(fraction(1, 8), precision)).certain_sign(), 1);
+    EXPECT_EQ((Multiprecision_interval(-1, precision) * root).certain_sign(), -1);
+  }
+  const Rational tiny = fraction(1, 1 << 30) * fraction(1, 1 << 30) * fraction(1, 1 << 30);
+  EXPECT_EQ((Multiprecision_interval(1 + tiny, 60) - Multiprecision_interval(1, 60)).certain_sign(), 0);
+  EXPECT_EQ((Multiprecision_interval(1 + tiny, 200) - Multiprecision_interval(1, 200)).certain_sign(), 1);
+}
+
+TEST(PlanarDisc, EnclosesProductsSumsAndDeterminants)
+{
+  typedef CGAL::Interval_nt<false> Interval;
+  Interval::Protector upward;
+  std::mt19937 random(11);
+  std::uniform_int_distribution<int> integer(-1000, 1000);
+  const auto contains = [](const Interval& i, const Rational& q) {
+    return Rational(i.inf()) <= q && q <= Rational(i.sup()) && i.sup() - i.inf() < 1e-9 * (1 + std::abs(i.sup()));
+  };
+  const auto number = [](int n, int d) {
+    return Interval(n) / Interval(d); // rounded, so the discs are not points
+  };
+  for(int round = 0; round < 2000; ++round)
+  {
+    // the same random computation on discs and on exact complex numbers
+    Planar<Interval> z(Interval(1), Interval(0));
+    Planar<Rational> exact(Rational(1), Rational(0));
+    for(int step = 0; step < 12; ++step)
+    {
+      const int a = integer(random), b = integer(random), d = 1 + std::abs(integer(random));
+      const Planar<Interval> f(number(a, d), number(b, d));
+      const Planar<Rational> g(fraction(a, d), fraction(b, d));
+      switch(integer(random) & 3)
+      {
+      case 0: z = z + f, exact = exact + g; break;
+      case 1: z = z - f, exact = exact - g; break;
+      case 2: z = conjugate(z), exact = conjugate(exact); break;
+      default:
+        if(a != 0 || b != 0)
+          z = z * f, exact = exact * g;
+      }
+      ASSERT_TRUE(contains(z.x(), exact.x()) && contains(z.y(), exact.y()));
+      ASSERT_TRUE(contains(determinant(z, f), determinant(exact, g)));
+    }
+  }
+}
+
+TEST(PlanarDisc, StaysNarrowInLongProducts)
+{
+  typedef CGAL::Interval_nt<false> Interval;
+  Interval::Protector upward;
+  const Planar<Interval> turn(Interval(3) / Interval(5), Interval(4) / Interval(5));
+  Planar<Interval> z(Interval(1), Interval(0));
+  for(int i = 0; i < 1000; ++i)
+    z = z * turn;
+  EXPECT_LT(z.x().sup() - z.x().inf(), 1e-11);
+}
+
+typedef test_meshes::Mesh Mesh;
+typedef Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point> > Surface;
+
+TEST(SignProver, EachStageDecidesWhatItIsFor)
+{
+  // right triangles with legs 1 and 1: every corner is a multiple of 45 degrees
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::box(1, 1, 1));
+  const Surface surface(mesh, mesh.points());
+  Sign_prover<Surface> prover(surface);
+  const Mesh::Halfedge_index h = *halfedges(mesh).begin();
+
+  // the three angles of a triangle add up to pi
+  const auto sine_of_sum = [&](const auto& arithmetic, auto& values) {
+    const auto sum = arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h));
+    values[0] = sum.y();
+    values[1] = sum.x();
+  };
+  const std::vector<Proved_sign> signs = prover.signs(2, sine_of_sum);
+  EXPECT_EQ(signs[0], Proved_sign::ZERO);
+  EXPECT_EQ(signs[1], Proved_sign::NEGATIVE);
+  EXPECT_EQ(prover.statistics().interval, 1u);
+  EXPECT_EQ(prover.statistics().algebra, 1u);
+}
+
+TEST(SignProver, NumbersBelow128BitsAreProvedNonzeroAndGetTheirSign)
+{
+  // the face of the tetrahedron whose area is irrational
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::tetrahedron());
+  const Surface surface(mesh, mesh.points());
+  const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Face_index(2));
+  const auto expression = [&](int sign) {
+    return [&mesh, h, sign](const auto& arithmetic, auto& values) {
+      const auto sum = arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h));
+      auto power = arithmetic.number(sign);
+      for(int i = 0; i < 600; ++i)
+        power = power * arithmetic.ratio(h).x();
+      values[0] = sum.y() + power; // 0, or a positive or negative number far below 128 bits
+    };
+  };
+  Sign_prover<Surface> prover(surface);
+  EXPECT_EQ(prover.sign(expression(1)), Proved_sign::POSITIVE);
+  EXPECT_EQ(prover.sign(expression(-1)), Proved_sign::NEGATIVE);
+  EXPECT_EQ(prover.sign(expression(0)), Proved_sign::ZERO);
+  EXPECT_EQ(prover.statistics().finite_field, 2u);
+  EXPECT_EQ(prover.statistics().algebra, 1u);
+}
+
+TEST(SignProver, AZeroOfTooManyTermsStaysUnprovedAndDoesNotHinderOthers)
+{
+  // the areas of twenty faces of a random hull have independent roots, and their product has 2^20 terms
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::random_hull(1, 30));
+  const Surface surface(mesh, mesh.points());
+  const Mesh::Halfedge_index h = *halfedges(mesh).begin();
+  const auto expression = [&](const auto& arithmetic, auto& values) {
+    values[0] = (arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h))).y();
+    if(!values.wants(1))
+      return;
+    auto product = arithmetic.number(1);
+    for(Mesh::Face_index f : mesh.faces())
+      if(static_cast<std::size_t>(f) < 20)
+        product = product * (arithmetic.number(1) + arithmetic.corner(mesh.halfedge(f)).y());
+    values[1] = product - product;
+  };
+  Sign_prover<Surface> prover(surface);
+  EXPECT_EQ(prover.signs(2, expression), (std::vector<Proved_sign>{Proved_sign::ZERO, Proved_sign::UNPROVED}));
+  EXPECT_EQ(prover.statistics().algebra, 1u);
+  EXPECT_EQ(prover.statistics().unproved, 1u);
+}
+
+TEST(SignProver, WhatHasNoImageInTheFiniteFieldIsProvedByTheBasis)
+{
+  // coordinates whose denominators are the prime of the field
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Kernel;
+  typedef CGAL::Surface_mesh<Kernel::Point_3> Exact_mesh;
+  Exact_mesh mesh = test_meshes::make_graph<Exact_mesh>(test_meshes::tetrahedron());
+  const Kernel::FT prime = Kernel::FT(static_cast<double>(std::uint64_t(1) << 61)) - 1;
+  for(auto v : vertices(mesh))
+  {
+    const Kernel::Point_3 p = mesh.point(v);
+    mesh.point(v) = Kernel::Point_3(p.x() / prime, p.y() / prime, p.z() / prime);
+  }
+  typedef Graph_surface<Exact_mesh, Exact_mesh::Property_map<Exact_mesh::Vertex_index, Kernel::Point_3> > Exact_surface;
+  const Exact_surface surface(mesh, mesh.points());
+  Sign_prover<Exact_surface> prover(surface);
+  const Exact_mesh::Halfedge_index h = *halfedges(mesh).begin();
+  const auto sine_of_sum = [&](const auto& arithmetic, auto& values) {
+    values[0] = (arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h))).y();
+  };
+  EXPECT_EQ(prover.sign(sine_of_sum), Proved_sign::ZERO);
+  EXPECT_EQ(prover.statistics().finite_field, 0u);
+  EXPECT_EQ(prover.statistics().algebra, 1u);
+}
+
+TEST(SignProver, WithTooManyRootsForABasisPrecisionGrowsUntilTheSignShows)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.1, 1, 8, 8));
+  ASSERT_GT(mesh.number_of_faces(), 100u);
+  const Surface surface(mesh, mesh.points());
+  // seen from its source, the third vertex of its face lies before the middle of it
+  const auto base = *std::find_if(halfedges(mesh).begin(), halfedges(mesh).end(), [&mesh](Mesh::Halfedge_index h) {
+    const auto a = mesh.point(mesh.source(h));
+    const auto u = mesh.point(mesh.target(h)) - a, v = mesh.point(mesh.target(mesh.next(h))) - a;
+    return u * v > 0.1 * (u * u) && u * v < 0.5 * (u * u);
+  });
+  const auto expression = [&mesh, base](int sign) {
+    return [&mesh, base, sign](const auto& arithmetic, auto& values) {
+      auto sum = arithmetic.number(0), power = arithmetic.number(sign);
+      for(Mesh::Face_index f : mesh.faces())
+        sum = sum + arithmetic.corner(mesh.halfedge(f)).y();
+      for(int i = 0; i < 200; ++i)
+        power = power * arithmetic.ratio(base).x();
+      values[0] = sum - sum + power; // far below 128 bits
+    };
+  };
+  Sign_prover<Surface> prover(surface);
+  EXPECT_EQ(prover.sign(expression(1)), Proved_sign::POSITIVE);
+  EXPECT_EQ(prover.statistics().multiprecision, 1u);
+  EXPECT_EQ(prover.sign(expression(0)), Proved_sign::UNPROVED);
+  EXPECT_EQ(prover.statistics().unproved, 1u);
+}
+
+TEST(SignProver, IntervalsThatNeverDecideAreGivenUp)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::tetrahedron());
+  const Surface surface(mesh, mesh.points());
+  Sign_prover<Surface> prover(surface);
+  std::size_t attempts = 0;
+  EXPECT_FALSE(prover.decide_by_intervals([&attempts](const auto&) {
+    ++attempts;
+    return false;
+  }));
+  EXPECT_GT(attempts, 2u);
+  EXPECT_EQ(prover.statistics().unproved, 1u);
+  // the first of the growing precisions
+  EXPECT_TRUE(prover.decide_by_intervals([](const auto& arithmetic) {
+    typedef typename std::decay_t<decltype(arithmetic)>::NT NT;
+    return std::is_same<NT, Multiprecision_interval>::value;
+  }));
+  EXPECT_EQ(prover.statistics().multiprecision, 1u);
+}
+
+// Angles are compared with pi by intervals the same way as by summing them up.
+TEST(AngleSum, AgreesWithTheSumOfTheAngles)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::box(1, 1, 1));
+  const Surface surface(mesh, mesh.points());
+  CGAL::Interval_nt<false>::Protector upward;
+  const Interval_arithmetic<Surface> arithmetic(surface);
+  typedef CGAL::Interval_nt<false> Interval;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> angle(0, CGAL_PI);
+  std::size_t decided = 0;
+  for(int round = 0; round < 5000; ++round)
+  {
+    std::vector<Planar<Interval> > angles;
+    double sum = 0;
+    for(int n = 1 + static_cast<int>(random() % 6); n > 0; --n)
+    {
+      double a = angle(random);
+      if(random() % 4 == 0)
+        a = random() % 2 == 0 ? 0 : CGAL_PI; // corners of faces of area zero
+      sum += a;
+      angles.emplace_back(Interval(std::cos(a)), a == 0 || a == CGAL_PI ? Interval(0, 1e-16) : Interval(std::sin(a)));
+    }
+    const Angle_sum result = compare_angle_sum(arithmetic, angles);
+    if(result == Angle_sum::UNKNOWN)
+      continue;
+    ++decided;
+    if(std::abs(sum - CGAL_PI) > 1e-9)
+    {
+      EXPECT_EQ(result, sum < CGAL_PI ? Angle_sum::BELOW_PI : Angle_sum::ABOVE_PI) << sum;
+    }
+    else
+      EXPECT_EQ(result, Angle_sum::AROUND_PI);
+  }
+  EXPECT_GT(decided, 4000u);
+}
+
+// Sums whose sine does not show its sign.
+TEST(AngleSum, NearMultiplesOfPiTheCosineDecides)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::box(1, 1, 1));
+  const Surface surface(mesh, mesh.points());
+  typedef CGAL::Interval_nt<false> Interval;
+  Interval::Protector upward;
+  const Interval_arithmetic<Surface> arithmetic(surface);
+  const Planar<Interval> zero(Interval(1), Interval(0, 1e-10)), pi(Interval(-1), Interval(-1e-10, 1e-10)),
+      below_pi(Interval(-1), Interval(1e-12)), right(Interval(0), Interval(1)), any(Interval(-1, 1), Interval(-1, 1));
+  EXPECT_EQ(compare_angle_sum(arithmetic, {zero, zero}), Angle_sum::BELOW_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {pi, zero}), Angle_sum::AROUND_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {right, right, zero}), Angle_sum::AROUND_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {below_pi, pi}), Angle_sum::ABOVE_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {pi, pi}), Angle_sum::ABOVE_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {below_pi, right}), Angle_sum::ABOVE_PI);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {any}), Angle_sum::UNKNOWN);
+  EXPECT_EQ(compare_angle_sum(arithmetic, {pi, any}), Angle_sum::UNKNOWN);
+}
+
+} // namespace test_exact_arithmetic

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/detect.h"
+#include "include/test_meshes.h"
+
+#include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Curve_slide.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Level_lengths.h>
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_prominence {
+
+namespace SMC = CGAL::Surface_mesh_constrictions;
+using detection::detect;
+using detection::detect_all;
+using detection::detect_all_from_triangles;
+using test_meshes::Mesh;
+typedef SMC::Constriction<Mesh> Constriction;
+
+// Linear between heights 0, 1/n, ..., 1.
+double profile(const std::vector<double>& radii, double s)
+{
+  const double x = s * static_cast<double>(radii.size() - 1);
+  const std::size_t i = (std::min)(static_cast<std::size_t>(x), radii.size() - 2);
+  return radii[i] + (x - static_cast<double>(i)) * (radii[i + 1] - radii[i]);
+}
+
+// The perimeter of a regular 24-gon of radius 1.
+const double around = 48 * std::sin(CGAL_PI / 24);
+
+// A surface of revolution with these radii at equal distances, each circle a regular 24-gon.
+Mesh revolution(const std::vector<double>& radii)
+{
+  return test_meshes::make_mesh(
+      test_meshes::revolution([&](double s) { return profile(radii, s); }, 3. * static_cast<double>(radii.size() - 1),
+                              8 * static_cast<int>(radii.size() - 1), 24, 0, 0));
+}
+
+TEST(Prominence, TheBarrierOfANeckIsTheLowerOfTheBulgesBesideIt)
+{
+  const std::vector<Constriction> curves = detect(revolution({0.5, 1, 0.4, 0.8, 0.5}));
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_NEAR(curves[0].length(), 0.4 * around, 0.01);
+  EXPECT_NEAR(curves[0].prominence(), 0.8 / 0.4 - 1, 0.03);
+  EXPECT_FALSE(curves[0].dominated_by());
+}
+
+// From the neck of radius 0.5 the bulge of 0.7 leads to the one of 0.3; from that, the end of 0.9 is the lower one.
+TEST(Prominence, AShallowNeckSlidesToADeeperOneOverTheBulgeBetweenThem)
+{
+  const std::vector<Constriction> curves = detect(revolution({0.5, 1, 0.5, 0.7, 0.3, 0.9, 0.5}));
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_NEAR(curves[0].length(), 0.3 * around, 0.01);
+  EXPECT_NEAR(curves[0].prominence(), 0.9 / 0.3 - 1, 0.05);
+  EXPECT_FALSE(curves[0].dominated_by());
+  EXPECT_NEAR(curves[1].length(), 0.5 * around, 0.01);
+  EXPECT_NEAR(curves[1].prominence(), 0.7 / 0.5 - 1, 0.03);
+  ASSERT_TRUE(curves[1].dominated_by());
+  EXPECT_EQ(*curves[1].dominated_by(), 0u);
+}
+
+// The shortest belts of a box of 2 x 3 x 3 have length 10, the longest 12; the level sets come over the edges of its
+// square face before they come to the corners, and are longer.
+TEST(Prominence, TheSquareTubeBetweenTwoBoxesIsHeldByTheBoxes)
+{
+  for(int length : {1, 5})
+  {
+    const std::vector<Constriction> curves = detect(test_meshes::make_mesh(test_meshes::boxes_with_tube(length)));
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_GT(curves[0].prominence(), 1);
+    EXPECT_LT(curves[0].prominence(), 4);
+    EXPECT_FALSE(curves[0].dominated_by());
+  }
+}
+
+TEST(Prominence, LabelsUnitsAndTheDirectionOfTheFacesDoNotMatter)
+{
+  const test_meshes::Soup soup = test_meshes::dumbbell(0.1, 3);
+  const std::vector<Constriction> expected = detect_all(test_meshes::make_mesh(soup));
+  ASSERT_FALSE(expected.empty());
+  for(const test_meshes::Soup& other :
+      {test_meshes::relabelled(soup, 7), test_meshes::inside_out(soup), test_meshes::scaled(soup, 1e150)})
+  {
+    const std::vector<Constriction> found = detect_all(test_meshes::make_mesh(other));
+    ASSERT_EQ(found.size(), expected.size());
+    for(std::size_t i = 0; i < found.size(); ++i)
+      EXPECT_NEAR(found[i].prominence(), expected[i].prominence(), 0.01 * (1 + expected[i].prominence()));
+  }
+}
+
+// The meridians of a bumpy torus slide along it into the shortest; level sets of the distance alone would lag behind on
+// the outside.
+TEST(Prominence, OfTheMeridiansOfABumpyTorusFewAreProminent)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.05, 2));
+  std::size_t meridians = 0, prominent = 0;
+  for(const Constriction& c : detect_all(mesh))
+    if(std::abs(c.length() - 2 * CGAL_PI) < 0.5)
+    {
+      ++meridians;
+      prominent += c.prominence() >= SMC::default_minimum_prominence;
+    }
+  EXPECT_GE(meridians, 5u);
+  EXPECT_GE(prominent, 1u);
+  EXPECT_LE(prominent, 3u);
+}
+
+// From non-face triangles, which are the same whatever other components there are.
+TEST(Prominence, CurvesOfOtherComponentsDoNotMatter)
+{
+  const test_meshes::Soup a = test_meshes::dumbbell(0.1, 1), b = test_meshes::boxes_with_tube(3);
+  std::multiset<double> expected;
+  for(const test_meshes::Soup& soup : {a, b})
+    for(const Constriction& c : detect_all_from_triangles(test_meshes::make_mesh(soup)))
+      expected.insert(c.prominence());
+  std::multiset<double> found;
+  for(const Constriction& c : detect_all_from_triangles(test_meshes::make_mesh(test_meshes::joined(a, b, 20))))
+    found.insert(c.prominence());
+  ASSERT_EQ(found.size(), expected.size());
+  for(auto x = found.begin(), y = expected.begin(); x != found.end(); ++x, ++y)
+    EXPECT_NEAR(*x, *y, 1e-6);
+}
+
+TEST(Prominence, ComputedAfterwardsItIsWhatTheDetectionComputes)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.1, 3));
+  const std::vector<Constriction> curves = detect_all(mesh);
+  std::vector<Constriction> again;
+  SMC::compute_prominences(mesh, curves, std::back_inserter(again));
+  ASSERT_EQ(again.size(), curves.size());
+  for(std::size_t i = 0; i < curves.size(); ++i)
+  {
+    EXPECT_NEAR(again[i].prominence(), curves[i].prominence(), 1e-9);
+    EXPECT_EQ(again[i].dominated_by(), curves[i].dominated_by());
+    EXPECT_EQ(again[i].crosses().size(), curves[i].crosses().size());
+  }
+}
+
+// The triangle (0,0) (2,0) (0,2) with values 0, 1, 2: the level set of 1 is the line from (2,0) to (0,1).
+TEST(Prominence, LevelSetsOfATriangleAreMeasuredExactly)
+{
+  using SMC::internal::Vector3;
+  const SMC::internal::Level_scale scale(1);
+  SMC::internal::Level_lengths lengths;
+  lengths.add(scale, {{{Vector3{0, 2, 0}, 2.}, {Vector3{0, 0, 0}, 0.}, {Vector3{2, 0, 0}, 1.}}}, 1);
+  for(std::size_t k = 0; k < 600; ++k)
+  {
+    const double d = scale.level(k);
+    const double expected = d <= 1 ? d * std::sqrt(5.) : d <= 2 ? (2 - d) * std::sqrt(5.) : 0;
+    double sum = 0;
+    for(const auto& in_class : lengths.lengths(k))
+    {
+      EXPECT_EQ(in_class.first, 1u);
+      sum += in_class.second;
+    }
+    EXPECT_NEAR(sum, expected, 1e-12) << d;
+    EXPECT_EQ(scale.first_above(d), k + 1);
+  }
+}
+
+// A sample cuts a face if the interpolated distance has both signs at its corners.
+TEST(Prominence, AllSamplesThatCutAFaceAreLookedAtAndMostlyFewOthers)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> width(0, 0.1), offset(-0.1, 1);
+  std::size_t cutting = 0, looked_at = 0;
+  for(int trial = 0; trial < 10000; ++trial)
+  {
+    const double at = offset(random);
+    std::array<double, 3> from, to;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      from[i] = at + width(random);
+      to[i] = at - 1 + width(random);
+    }
+    const std::pair<std::size_t, std::size_t> range = SMC::internal::samples_that_cut(from, to);
+    ASSERT_LE(range.second, SMC::internal::slide_samples);
+    const bool is_between = *std::min_element(from.begin(), from.end()) > 0 &&
+                            *std::max_element(to.begin(), to.end()) <= 0;
+    looked_at += is_between ? range.second - range.first : 0;
+    for(std::size_t k = 0; k < SMC::internal::slide_samples; ++k)
+    {
+      const double t = SMC::internal::slide_parameter(k);
+      std::size_t positive = 0;
+      for(std::size_t i = 0; i < 3; ++i)
+        positive += (1 - t) * from[i] + t * to[i] > 0;
+      if(positive == 0 || positive == 3)
+        continue;
+      EXPECT_TRUE(range.first <= k && k < range.second) << k;
+      cutting += is_between;
+    }
+  }
+  EXPECT_GT(cutting, 5000u);
+  EXPECT_LT(looked_at, 4 * cutting);
+}
+
+} // namespace test_prominence

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_COMPUTATIONS_H
+#define CONSTRICTIONS_COMPUTATIONS_H
+
+#include "compute/levels.h"
+#include "compute/stage_monitor.h"
+#include "input/curves_file.h"
+#include "input/loops_file.h"
+#include "options.h"
+#include "output/certificates.h"
+#include "output/parts.h"
+#include "output/report.h"
+#include "view/playback.h"
+
+#include <vector>
+
+namespace constrictions {
+
+/// \name Detection
+/// One function for each policy of the simplification, each in a file of its own: they take long to compile. If
+/// `levels` is not null it gets the levels of the simplification, unless the search is near a location.
+/// @{
+std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection, const Search& search,
+                                                       Stage_monitor& monitor, Levels* levels);
+std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, const Selection& selection, const Search& search,
+                                                     Stage_monitor& monitor, Levels* levels);
+std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Selection& selection, const Search& search,
+                                                  Stage_monitor& monitor, Levels* levels);
+/// @}
+
+/// tightens the loops; fills the constrictions, the statistics and the remarks of the report.
+void tighten_loops(const Loops& loops, bool certifies, Stage_monitor& monitor, Report& report);
+
+/// the certificate of each of the curves
+std::vector<Certified_curve> certify_curves(const Mesh& mesh, const Curves& curves, Stage_monitor& monitor);
+
+/// cuts the mesh along those of the constrictions that are chosen; everything but the time.
+Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constrictions, const Segmentation& segmentation);
+
+/// carries seeds of the constrictions through the levels. `levels` are those that the constrictions were detected with.
+Playback record_playback(const Mesh& mesh, const std::vector<Constriction>& constrictions,
+                         CGAL::Surface_mesh_constrictions::Progressive_mesh levels);
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_COMPUTATIONS_H

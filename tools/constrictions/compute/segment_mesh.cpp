@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compute/computations.h"
+
+#include <CGAL/Surface_mesh_constrictions/extract_parts.h>
+#include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/split_along_constrictions.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace constrictions {
+
+namespace {
+
+namespace SMC = CGAL::Surface_mesh_constrictions;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+typedef Mesh::Property_map<Mesh::Edge_index, bool> Marks;
+
+// The face of the input that each face comes from.
+struct Ancestry
+{
+  std::vector<Mesh::Face_index> old_face;
+  Mesh::Face_index split;
+};
+
+struct Ancestry_visitor : public SMC::Split_visitor_base<Mesh>
+{
+  explicit Ancestry_visitor(Ancestry& ancestry) : ancestry(&ancestry) {}
+
+  void before_subface_creations(Mesh::Face_index f, const Mesh&) const { ancestry->split = f; }
+  void after_subface_created(Mesh::Face_index f, const Mesh&) const
+  {
+    if(ancestry->old_face.size() <= f)
+      ancestry->old_face.resize(f + std::size_t(1));
+    ancestry->old_face[f] = ancestry->split;
+  }
+
+  Ancestry* ancestry;
+};
+
+SMC::Split_curves<Mesh> split(const std::vector<Constriction>& constrictions, const Segmentation& segmentation,
+                              Marks marks, const Ancestry_visitor& visitor, Mesh& mesh)
+{
+  // the side is known only when the program runs
+  std::vector<Constriction> chosen;
+  std::vector<std::size_t> place;
+  for(std::size_t c = 0; c < constrictions.size(); ++c)
+    if(!segmentation.side || constrictions[c].side() == *segmentation.side)
+    {
+      chosen.push_back(constrictions[c]);
+      place.push_back(c);
+    }
+  const auto np = CGAL::parameters::edge_is_constrained_map(marks).visitor(visitor);
+  const SMC::Split_curves<Mesh> curves =
+      segmentation.parts ? SMC::split_along_constrictions(
+                               mesh, chosen, SMC::parameters::maximum_number_of_parts(*segmentation.parts, np))
+                         : SMC::split_along_constrictions(mesh, chosen, np);
+  SMC::Split_curves<Mesh> result;
+  result.halfedges.resize(constrictions.size());
+  result.outcomes.assign(constrictions.size(), {false, SMC::Cut_outcome::none});
+  for(std::size_t i = 0; i < place.size(); ++i)
+  {
+    result.halfedges[place[i]] = curves.halfedges[i];
+    result.outcomes[place[i]] = curves.outcomes[i];
+    std::size_t& crossed = result.outcomes[place[i]].crossed_curve;
+    if(crossed != SMC::Cut_outcome::none)
+      crossed = place[crossed];
+  }
+  return result;
+}
+
+Part measured_part(const Mesh& open, Mesh&& closed, bool is_open)
+{
+  Part part;
+  part.area = PMP::area(open);
+  part.volume = PMP::volume(closed);
+  const std::size_t euler_characteristic =
+      closed.number_of_vertices() + closed.number_of_faces() - closed.number_of_edges(); // modulo 2^64
+  part.genus = (2 - euler_characteristic) / 2;
+  part.boundaries = 0;
+  std::vector<bool> is_seen(open.num_halfedges(), false);
+  for(Mesh::Halfedge_index h : open.halfedges())
+    if(open.is_border(h) && !is_seen[h])
+    {
+      ++part.boundaries;
+      for(Mesh::Halfedge_index b : open.halfedges_around_face(h))
+        is_seen[b] = true;
+    }
+  part.mesh = is_open ? open : std::move(closed);
+  return part;
+}
+
+} // namespace
+
+Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constrictions, const Segmentation& segmentation)
+{
+  Parts result;
+  result.mesh = mesh;
+  const Marks marks = result.mesh.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
+  Ancestry ancestry;
+  ancestry.old_face.assign(mesh.faces().begin(), mesh.faces().end());
+  const SMC::Split_curves<Mesh> curves =
+      split(constrictions, segmentation, marks, Ancestry_visitor(ancestry), result.mesh);
+  result.outcomes = curves.outcomes;
+
+  result.part_of_face.resize(result.mesh.num_faces());
+  PMP::connected_components(result.mesh, CGAL::make_property_map(result.part_of_face),
+                            CGAL::parameters::edge_is_constrained_map(marks));
+  std::vector<Mesh> open, closed;
+  SMC::extract_parts(result.mesh, marks, std::back_inserter(open), SMC::parameters::with_caps(false));
+  SMC::extract_parts(result.mesh, marks, std::back_inserter(closed));
+  for(std::size_t p = 0; p < open.size(); ++p)
+    result.parts.push_back(measured_part(open[p], std::move(closed[p]), segmentation.open));
+
+  for(std::size_t c = 0; c < constrictions.size(); ++c)
+  {
+    std::map<std::array<std::size_t, 2>, double> lengths;
+    for(Mesh::Halfedge_index h : curves.halfedges[c])
+      lengths[{{result.part_of_face[result.mesh.face(h)],
+                result.part_of_face[result.mesh.face(result.mesh.opposite(h))]}}] += PMP::edge_length(h, result.mesh);
+    for(const auto& [parts, length] : lengths)
+      result.adjacencies.push_back({c, parts, length});
+  }
+
+  std::vector<std::map<std::size_t, double>> shares(mesh.num_faces());
+  for(Mesh::Face_index f : result.mesh.faces())
+    shares[ancestry.old_face[f]][result.part_of_face[f]] += PMP::face_area(f, result.mesh);
+  for(const std::map<std::size_t, double>& s : shares)
+    result.part_of_input_face.push_back(
+        std::max_element(s.begin(), s.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first);
+  return result;
+}
+
+} // namespace constrictions

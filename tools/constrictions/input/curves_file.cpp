@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "input/curves_file.h"
+
+#include "input/input_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace constrictions {
+
+namespace {
+
+typedef nlohmann::json Json;
+typedef CGAL::Surface_mesh_constrictions::Constriction<Mesh> Constriction;
+typedef Constriction::Location Location;
+
+// Below this a coordinate is what rounding has left of a zero.
+const double zero_tolerance = 1e-9;
+
+Json parse(const Input_file& file)
+{
+  try
+  {
+    return Json::parse(file.content);
+  }
+  catch(const Json::parse_error& e)
+  {
+    file.fail("not JSON: wrong at byte " + std::to_string(e.byte));
+  }
+  catch(const Json::exception&)
+  {
+    file.fail("not JSON: a number is too large");
+  }
+}
+
+class Curve_reader
+{
+public:
+  Curve_reader(const Input_file& file, const Mesh& mesh, const std::vector<bool>& is_turned)
+    : m_file(file), m_mesh(mesh), m_is_turned(is_turned)
+  {}
+
+  Curves read(const Json& json)
+  {
+    if(!json.is_object())
+      fail("not a JSON object");
+    if(json.contains("format") && json["format"] != "constrictions/1")
+      fail("the format is not \"constrictions/1\"");
+    if(json.contains("mesh"))
+      check_mesh(json["mesh"]);
+
+    Curves result;
+    for(const Json& curve : array(json, "constrictions"))
+    {
+      std::uint64_t id = result.ids.size();
+      m_place = "curve at place " + std::to_string(id) + ": ";
+      if(!curve.is_object())
+        fail("not a JSON object");
+      if(curve.contains("id"))
+        id = number(curve, "id");
+      m_place = "curve " + std::to_string(id) + ": ";
+      result.ids.push_back(id);
+      result.curves.push_back(read_curve(curve, id));
+    }
+    return result;
+  }
+
+private:
+  typedef std::array<double, 3> Barycentric; // in the order of the corners in the mesh
+
+  [[noreturn]] void fail(const std::string& reason) const { m_file.fail(m_place + reason); }
+
+  void check_mesh(const Json& mesh) const
+  {
+    if(!mesh.is_object() || !mesh.contains("faces"))
+      return;
+    const std::uint64_t faces = number(mesh, "faces");
+    if(faces != m_mesh.number_of_faces())
+      fail("the curves are of a mesh with " + std::to_string(faces) + " faces, this one has " +
+           std::to_string(m_mesh.number_of_faces()));
+  }
+
+  const Json& array(const Json& object, const char* key) const
+  {
+    const auto it = object.find(key);
+    if(it == object.end() || !it->is_array())
+      fail(quoted(key) + (it == object.end() ? " is missing" : " is not an array"));
+    return *it;
+  }
+
+  std::uint64_t number(const Json& object, const char* key) const
+  {
+    if(!object.is_object() || !object.contains(key))
+      fail(quoted(key) + " is missing");
+    const Json& value = object[key];
+    if(!value.is_number_unsigned())
+      fail(quoted(key) + " is not a number counted from 0");
+    return value.get<std::uint64_t>();
+  }
+
+  Constriction read_curve(const Json& curve, std::uint64_t id)
+  {
+    const Json& locations = array(curve, "locations");
+    if(locations.empty())
+      fail("it has no locations");
+    const std::vector<Mesh::Vertex_index> pivots = read_pivots(curve, locations.size());
+
+    Constriction::Data data;
+    std::vector<Mesh::Face_index> faces;
+    for(std::size_t i = 0; i < locations.size(); ++i)
+    {
+      m_place = "curve " + std::to_string(id) + ", point " + std::to_string(i) + ": ";
+      faces.push_back(read_face(locations[i]));
+      data.locations.push_back(read_location(locations[i], faces.back(), pivots[i]));
+    }
+    if(curve.contains("pivots"))
+      cross_beside_corners(data.locations, faces, pivots);
+    direct(data.locations);
+    data.length = length(data.locations);
+    return Constriction(std::move(data));
+  }
+
+  // The vertex at each point; the null vertex where none is named.
+  std::vector<Mesh::Vertex_index> read_pivots(const Json& curve, std::size_t number_of_points) const
+  {
+    std::vector<Mesh::Vertex_index> result(number_of_points, Mesh::null_vertex());
+    if(!curve.contains("pivots"))
+      return result;
+    for(const Json& pivot : array(curve, "pivots"))
+    {
+      const std::uint64_t v = number(pivot, "vertex"), point = number(pivot, "point");
+      if(point >= number_of_points)
+        fail("pivot at point " + std::to_string(point) + ", which does not exist: the curve has " +
+             std::to_string(number_of_points) + " points");
+      if(v >= m_mesh.num_vertices())
+        fail("pivot at point " + std::to_string(point) + ": vertex " + std::to_string(v) +
+             " does not exist: the mesh has " + std::to_string(m_mesh.num_vertices()) + " vertices");
+      result[point] = Mesh::Vertex_index(static_cast<Mesh::size_type>(v));
+    }
+    return result;
+  }
+
+  Mesh::Face_index read_face(const Json& location) const
+  {
+    const std::uint64_t f = number(location, "face");
+    if(f >= m_mesh.number_of_faces())
+      fail("face " + std::to_string(f) + " does not exist: the mesh has " + std::to_string(m_mesh.number_of_faces()) +
+           " faces");
+    return Mesh::Face_index(static_cast<Mesh::size_type>(f));
+  }
+
+  Location read_location(const Json& location, Mesh::Face_index face, Mesh::Vertex_index pivot) const
+  {
+    const Json& coordinates = array(location, "barycentric");
+    if(coordinates.size() != 3 || !std::all_of(coordinates.begin(), coordinates.end(),
+                                               [](const Json& x) { return x.is_number(); }))
+      fail("\"barycentric\" is not three numbers");
+    Barycentric b = {coordinates[0].get<double>(), coordinates[1].get<double>(), coordinates[2].get<double>()};
+    // one digit behind the point is enough
+    const double sum_tolerance = 0.2;
+    if(*std::min_element(b.begin(), b.end()) < -zero_tolerance || !(std::abs(b[0] + b[1] + b[2] - 1) < sum_tolerance))
+      fail("\"barycentric\" is no point of a face: a number is negative, or the sum is not 1");
+    if(m_is_turned[face])
+      std::swap(b[1], b[2]);
+    return pivot == Mesh::null_vertex() ? location_on_edge(face, b) : location_at_vertex(face, b, pivot);
+  }
+
+  Mesh::Halfedge_index halfedge_from_corner(Mesh::Face_index face, std::size_t corner) const
+  {
+    Mesh::Halfedge_index h = m_mesh.halfedge(face);
+    for(std::size_t i = 0; i < corner % 3; ++i)
+      h = m_mesh.next(h);
+    return h;
+  }
+
+  static Location location_at(Mesh::Vertex_index v) { return {true, v, Mesh::null_halfedge(), 0}; }
+
+  Location location_at_vertex(Mesh::Face_index face, const Barycentric& b, Mesh::Vertex_index pivot) const
+  {
+    const std::size_t corner = static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin());
+    const Mesh::Vertex_index v = m_mesh.source(halfedge_from_corner(face, corner));
+    const bool is_at_corner = b[(corner + 1) % 3] < zero_tolerance && b[(corner + 2) % 3] < zero_tolerance;
+    const bool is_same = pivot == v || (m_mesh.is_removed(pivot) && m_mesh.point(pivot) == m_mesh.point(v));
+    if(!is_at_corner || !is_same)
+      fail("the pivot is vertex " + std::to_string(pivot.idx()) + ", the location another place");
+    return location_at(v);
+  }
+
+  Location location_on_edge(Mesh::Face_index face, const Barycentric& b) const
+  {
+    const auto nearest_zero = std::min_element(b.begin(), b.end(),
+                                               [](double x, double y) { return std::abs(x) < std::abs(y); });
+    if(std::count(b.begin(), b.end(), 0.) > 1)
+      return location_at(m_mesh.source(
+          halfedge_from_corner(face, static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin()))));
+    if(std::abs(*nearest_zero) >= zero_tolerance)
+      fail("no coordinate of \"barycentric\" is zero: the point is on no edge");
+    const std::size_t first = static_cast<std::size_t>(nearest_zero - b.begin()) + 1;
+    const double from = b[first % 3], to = b[(first + 1) % 3];
+    return {false, Mesh::null_vertex(), halfedge_from_corner(face, first), to / (from + to)};
+  }
+
+  // What is at a vertex and is no pivot is a crossing so near to it that it was rounded to it. It crosses the edge over
+  // which the face given with the next point, or that at the next pivot, is reached. If there is no such edge it is a
+  // pivot after all.
+  void cross_beside_corners(std::vector<Location>& locations, const std::vector<Mesh::Face_index>& faces,
+                            const std::vector<Mesh::Vertex_index>& pivots) const
+  {
+    for(std::size_t i = 0; i < locations.size(); ++i)
+    {
+      if(!locations[i].is_pivot || pivots[i] != Mesh::null_vertex())
+        continue;
+      const Mesh::Vertex_index v = locations[i].vertex;
+      const std::size_t following = (i + 1) % locations.size();
+      Mesh::Halfedge_index h = m_mesh.halfedge(faces[i]);
+      while(m_mesh.target(h) != v)
+        h = m_mesh.next(h);
+      for(const Mesh::Halfedge_index crossed : {h, m_mesh.next(h)})
+      {
+        const Mesh::Halfedge_index o = m_mesh.opposite(crossed);
+        if(pivots[following] != Mesh::null_vertex() ? m_mesh.target(m_mesh.next(o)) == locations[following].vertex
+                                                    : m_mesh.face(o) == faces[following])
+          locations[i] = {false, Mesh::null_vertex(), crossed, m_mesh.source(crossed) == v ? 0. : 1.};
+      }
+    }
+  }
+
+  // Whether a straight line through the face of h, into it or out of it over h, can meet the other points of its
+  // boundary at p.
+  bool is_beyond(const Location& p, Mesh::Halfedge_index h) const
+  {
+    if(p.is_pivot)
+      return m_mesh.target(m_mesh.next(h)) == p.vertex;
+    const Mesh::Edge_index e = m_mesh.edge(p.halfedge);
+    return e == m_mesh.edge(m_mesh.next(h)) || e == m_mesh.edge(m_mesh.prev(h));
+  }
+
+  // Turns the crossed halfedges to the faces that the curve comes from. If only one neighbour fits it is the one before
+  // that decides.
+  void direct(std::vector<Location>& locations) const
+  {
+    const std::size_t n = locations.size();
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      Location& l = locations[i];
+      if(l.is_pivot)
+        continue;
+      const Location &before = locations[(i + n - 1) % n], &after = locations[(i + 1) % n];
+      const auto fit = [&](Mesh::Halfedge_index h) {
+        return 2 * int(is_beyond(before, h)) + int(is_beyond(after, m_mesh.opposite(h)));
+      };
+      if(fit(m_mesh.opposite(l.halfedge)) <= fit(l.halfedge))
+        continue;
+      l.halfedge = m_mesh.opposite(l.halfedge);
+      l.parameter = 1 - l.parameter;
+    }
+  }
+
+  double length(const std::vector<Location>& locations) const
+  {
+    std::vector<Mesh::Point> points;
+    Constriction::Data data;
+    data.locations = locations;
+    Constriction(std::move(data)).points(m_mesh, std::back_inserter(points));
+    double result = 0;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      result += std::sqrt(CGAL::squared_distance(points[i], points[(i + 1) % points.size()]));
+    return result;
+  }
+
+  const Input_file& m_file;
+  const Mesh& m_mesh;
+  const std::vector<bool>& m_is_turned;
+  std::string m_place;
+};
+
+} // namespace
+
+Curves read_curves_file(const std::string& name, const Mesh& mesh, const std::vector<bool>& is_turned)
+{
+  const Input_file file = read_input_file(name);
+  return Curve_reader(file, mesh, is_turned).read(parse(file));
+}
+
+} // namespace constrictions

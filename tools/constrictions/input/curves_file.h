@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_CURVES_FILE_H
+#define CONSTRICTIONS_CURVES_FILE_H
+
+#include "input/mesh_file.h"
+
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace constrictions {
+
+/// Closed curves on a mesh, and what their file calls them.
+struct Curves
+{
+  std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > curves;
+  std::vector<std::uint64_t> ids;
+};
+
+/// reads closed curves from the JSON object that `report_as_json()` writes. Of each member of "constrictions" it takes
+/// - "locations": a point each, the number of a face and barycentric coordinates in the order of its corners in the
+///   file of the mesh. One coordinate is zero, and the curve crosses the edge where it is, or two are, and the curve
+///   passes through a vertex. A coordinate is zero if it is exactly 0; if none is, the smallest, if it is below 1e-9.
+/// - "pivots": the points that are vertices. A point at a vertex that is not among them is a crossing beside it, if
+///   the face of the next point lies across an edge there. At a seam of doubled vertices any of them may be named. If
+///   the member is missing all points at vertices are pivots.
+/// - "id", which may be missing: then it is the curve's place, counted from 0.
+///
+/// Which of its two faces an edge is crossed from follows from the neighbouring points, or, where these leave a doubt,
+/// is the face that is given. Of the curves that are returned only the locations and the length are filled in; the
+/// length is that of the polygon through the points as they are given.
+///
+/// \param name the file
+/// \param mesh what the curves lie on
+/// \param is_turned the faces whose corners have another order in the file of the mesh, see `read_mesh_file()`
+///
+/// Throws `Input_file_error`, with the id of the curve and the number of the point, for anything else. Whether
+/// consecutive points fit together is not checked: that is for the certificate to say.
+Curves read_curves_file(const std::string& name, const Mesh& mesh, const std::vector<bool>& is_turned);
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_CURVES_FILE_H

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_TEXT_SCANNER_H
+#define CONSTRICTIONS_TEXT_SCANNER_H
+
+#include "input/input_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace constrictions {
+
+/// Reads words and numbers from a text of lines. A word never goes past the end of its line. Lines end in "\n" or
+/// "\r\n".
+class Text_scanner
+{
+public:
+  /// begins at byte `offset` of the file. A line that starts with `comment` is passed over by `next_line()`.
+  explicit Text_scanner(const Input_file& file, std::size_t offset = 0, char comment = '#')
+    : m_file(&file), m_begin(file.content.data()), m_end(m_begin + file.content.size()), m_pos(m_begin + offset),
+      m_comment(comment)
+  {}
+
+  std::size_t offset() const { return static_cast<std::size_t>(m_pos - m_begin); }
+  std::size_t remaining() const { return static_cast<std::size_t>(m_end - m_pos); }
+
+  /// the number of the present line, counted from 1; linear in its place in the file.
+  std::size_t line() const { return 1 + static_cast<std::size_t>(std::count(m_begin, m_pos, '\n')); }
+
+  /// goes to the first word at or after the present place that is no comment; false at the end of the file.
+  bool next_line()
+  {
+    for(;;)
+    {
+      while(m_pos != m_end && (is_blank(*m_pos) || *m_pos == '\n'))
+        ++m_pos;
+      if(m_pos == m_end)
+        return false;
+      if(*m_pos != m_comment)
+        return true;
+      skip_line();
+    }
+  }
+
+  /// goes to the beginning of the next line.
+  void skip_line()
+  {
+    m_pos = std::find(m_pos, m_end, '\n');
+    if(m_pos != m_end)
+      ++m_pos;
+  }
+
+  /// the next word of the line; empty at its end.
+  std::string_view word()
+  {
+    skip_blanks();
+    const char* begin = m_pos;
+    while(m_pos != m_end && !is_blank(*m_pos) && *m_pos != '\n')
+      ++m_pos;
+    return m_word = std::string_view(begin, static_cast<std::size_t>(m_pos - begin));
+  }
+
+  /// reads a word as a number; false if there is none or it is something else.
+  template <class T>
+  bool read(T& value)
+  {
+    return parse(word(), value);
+  }
+
+  template <class T>
+  static bool parse(std::string_view text, T& value)
+  {
+    const char *begin = text.data(), *end = begin + text.size();
+    if(text.size() > 1 && *begin == '+' && begin[1] != '-')
+      ++begin;
+    return parse(begin, end, value);
+  }
+
+  /// throws `Input_file_error` with the number of the line.
+  [[noreturn]] void fail(const std::string& reason) const
+  {
+    m_file->fail("line " + std::to_string(line()) + ": " + reason);
+  }
+
+  /// throws that the word read last, where `element` stands, is not `expected`.
+  [[noreturn]] void fail_at_word(const std::string& element, const std::string& expected) const
+  {
+    if(!m_word.empty())
+      fail(element + ": " + quoted(m_word) + " is not " + expected);
+    fail(element + ": " + (m_pos == m_end ? "the file" : "the line") + " ends where " + expected + " is expected");
+  }
+
+private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+  void skip_blanks()
+  {
+    while(m_pos != m_end && is_blank(*m_pos))
+      ++m_pos;
+  }
+
+  template <class Integer>
+  static bool parse(const char* begin, const char* end, Integer& value)
+  {
+    const std::from_chars_result r = std::from_chars(begin, end, value);
+    return r.ec == std::errc() && r.ptr == end;
+  }
+
+  static bool parse(const char* begin, const char* end, double& value)
+  {
+#ifdef __cpp_lib_to_chars
+    // several times as fast as strtod, which remains for numbers too large or too small for a double
+    const std::from_chars_result r = std::from_chars(begin, end, value);
+    if(r.ec != std::errc::result_out_of_range)
+      return r.ec == std::errc() && r.ptr == end;
+#endif
+    if(begin == end)
+      return false;
+    const std::string word(begin, end);
+    char* parsed = nullptr;
+    value = std::strtod(word.c_str(), &parsed);
+    return parsed == word.c_str() + word.size();
+  }
+
+  const Input_file* m_file;
+  const char *m_begin, *m_end, *m_pos;
+  char m_comment;
+  std::string_view m_word;
+};
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_TEXT_SCANNER_H

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_MESH_JSON_H
+#define CONSTRICTIONS_MESH_JSON_H
+
+#include "input/mesh_file.h"
+
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace constrictions {
+
+/// the member "mesh" of the program's JSON objects
+nlohmann::ordered_json mesh_as_json(const std::string& file, const Mesh& mesh);
+
+/// the name of a side, in JSON and in tables
+const char* side_name(CGAL::Surface_mesh_constrictions::Side side);
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_MESH_JSON_H

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_PARTS_H
+#define CONSTRICTIONS_PARTS_H
+
+#include "input/mesh_file.h"
+#include "output/report.h"
+
+#include <CGAL/Surface_mesh_constrictions/Surface_part.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace constrictions {
+
+/// A part of a surface, as a mesh of its own.
+struct Part
+{
+  Mesh mesh;              ///< closed by caps, or open
+  double area;            ///< without caps
+  double volume;          ///< with caps
+  std::size_t genus;      ///< with caps
+  std::size_t boundaries; ///< the number of caps
+};
+
+/// A surface cut along its constrictions.
+struct Parts
+{
+  Mesh mesh;                             ///< split, so that the curves run along edges
+  std::vector<std::size_t> part_of_face; ///< of that mesh, by the index of the face
+  std::vector<Part> parts;
+  std::vector<std::size_t> part_of_input_face; ///< the part in which most of the face lies
+  std::vector<CGAL::Surface_mesh_constrictions::Part_adjacency> adjacencies;
+  std::vector<CGAL::Surface_mesh_constrictions::Cut_outcome> outcomes; ///< one for each constriction of the report
+  double seconds = 0;
+};
+
+/// the name of the file of a part
+std::string part_file_name(std::size_t part);
+
+/// the parts in the format "constrictions-parts/1", in one line
+std::string parts_as_json(const Report& report, const Parts& parts);
+
+/// the parts as a table for reading
+std::string parts_as_table(const Parts& parts);
+
+/// a mesh as binary PLY: coordinates as doubles, and of each face its part and the part's colour
+std::string mesh_as_ply(const Mesh& mesh, const std::vector<std::size_t>& part_of_face);
+
+/// a mesh as VTK PolyData: of each face its part, as `patch`, and the part's colour
+std::string mesh_as_vtp(const Mesh& mesh, const std::vector<std::size_t>& part_of_face);
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_PARTS_H

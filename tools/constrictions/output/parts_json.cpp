@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "output/parts.h"
+
+#include "output/certificates.h"
+#include "output/mesh_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace constrictions {
+
+namespace {
+
+typedef nlohmann::ordered_json Json;
+
+} // namespace
+
+std::string parts_as_json(const Report& report, const Parts& parts)
+{
+  Json part_list = Json::array(), adjacencies = Json::array(), curves = Json::array();
+  for(std::size_t p = 0; p < parts.parts.size(); ++p)
+    part_list.push_back({{"id", p},
+                         {"file", part_file_name(p)},
+                         {"area", parts.parts[p].area},
+                         {"volume", parts.parts[p].volume},
+                         {"genus", parts.parts[p].genus},
+                         {"boundaries", parts.parts[p].boundaries}});
+  for(const auto& a : parts.adjacencies)
+    adjacencies.push_back({{"curve", a.curve}, {"parts", a.parts}, {"length", a.length}});
+  for(std::size_t c = 0; c < report.constrictions.size(); ++c)
+  {
+    const Constriction& curve = report.constrictions[c];
+    const auto& outcome = parts.outcomes[c];
+    const bool crosses = outcome.crossed_curve != CGAL::Surface_mesh_constrictions::Cut_outcome::none;
+    curves.push_back({{"id", c},
+                      {"length", curve.length()},
+                      {"certificate", certificate_as_text(curve.certificate())},
+                      {"side", side_name(curve.side())},
+                      {"separating", curve.is_separating()},
+                      {"prominence", curve.prominence()},
+                      {"cuts", outcome.is_used},
+                      {"crosses", crosses ? Json(outcome.crossed_curve) : Json()}});
+  }
+  const Stage_seconds& t = report.seconds;
+  const Json json = {{"format", "constrictions-parts/1"},
+                     {"mesh", mesh_as_json(report.mesh_file, report.mesh)},
+                     {"parts", part_list},
+                     {"adjacencies", adjacencies},
+                     {"curves", curves},
+                     {"face_parts", parts.part_of_input_face},
+                     {"seconds",
+                      {{"read", t.read},
+                       {"detect", t.simplify + t.seeds + t.refine + t.tighten + t.certify + t.select},
+                       {"cut", parts.seconds},
+                       {"total", t.total}}}};
+  // a file name need not be UTF-8, JSON must be
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+} // namespace constrictions

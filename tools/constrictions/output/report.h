@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CONSTRICTIONS_REPORT_H
+#define CONSTRICTIONS_REPORT_H
+
+#include "input/mesh_file.h"
+
+#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+
+#include <string>
+#include <vector>
+
+namespace constrictions {
+
+typedef CGAL::Surface_mesh_constrictions::Constriction<Mesh> Constriction;
+
+/// Wall time of the stages.
+struct Stage_seconds
+{
+  double read = 0;
+  double simplify = 0;
+  double seeds = 0;
+  double refine = 0;
+  double tighten = 0;
+  double certify = 0;
+  double select = 0;
+  double total = 0;
+};
+
+/// What a run of the program has found.
+struct Report
+{
+  std::string mesh_file;
+  Mesh mesh;
+  std::vector<bool> is_turned; ///< the faces that were turned round, see `read_mesh_file()`
+  std::vector<Constriction> constrictions;
+  CGAL::Surface_mesh_constrictions::Detection_statistics statistics;
+  Stage_seconds seconds;
+  std::vector<std::string> remarks; ///< lines about loops of the user that are no constrictions
+};
+
+/// the report in the format "constrictions/1", in one line
+std::string report_as_json(const Report& report);
+
+/// the report as a table for reading
+std::string report_as_table(const Report& report);
+
+/// the curves in CGAL's `.polylines.txt` format, one line each
+std::string report_as_polylines(const Report& report);
+
+/// the curves as VTK PolyData: a closed line each, with `id`, `length`, `prominence`, `is_certified`, `side`, which is 0 for
+/// the object, 1 for the complement and 2 for both, and a colour for the side; and for each point whether it is a pivot
+std::string report_as_vtp(const Report& report);
+
+/// the curves as the vertices and edges of a binary PLY file, coloured by side
+std::string report_as_ply(const Report& report);
+
+} // namespace constrictions
+
+#endif // CONSTRICTIONS_REPORT_H

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "output/report.h"
+
+#include "output/colours.h"
+#include "output/little_endian.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <sstream>
+
+namespace constrictions {
+
+std::string report_as_ply(const Report& report)
+{
+  std::string vertices, edges;
+  std::uint32_t n = 0;
+  for(const Constriction& c : report.constrictions)
+  {
+    std::vector<Mesh::Point> points;
+    c.points(report.mesh, std::back_inserter(points));
+    const std::uint32_t first = n, size = static_cast<std::uint32_t>(points.size());
+    for(const Mesh::Point& p : points)
+    {
+      for(int i = 0; i < 3; ++i)
+        append_little_endian(p[i], vertices);
+      append_little_endian(n, edges);
+      append_little_endian(first + (n + 1 - first) % size, edges);
+      for(std::string* out : {&vertices, &edges})
+        for(std::uint8_t x : side_colour(c.side()))
+          append_little_endian(x, *out);
+      ++n;
+    }
+  }
+  std::ostringstream header;
+  header << "ply\nformat binary_little_endian 1.0\ncomment constrictions of a surface, coloured by what they choke\n"
+         << "element vertex " << n << "\nproperty double x\nproperty double y\nproperty double z\n"
+         << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+         << "element edge " << n << "\nproperty int vertex1\nproperty int vertex2\n"
+         << "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+  return header.str() + vertices + edges;
+}
+
+} // namespace constrictions
