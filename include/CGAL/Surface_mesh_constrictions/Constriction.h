@@ -98,6 +98,7 @@ public:
     Certificate certificate;                        ///< see `Constriction::certificate()`
     double prominence = std::numeric_limits<double>::quiet_NaN(); ///< see `Constriction::prominence()`
     std::optional<std::size_t> dominated_by;        ///< see `Constriction::dominated_by()`
+    std::optional<vertex_descriptor> slides_off;    ///< see `Constriction::slides_off()`
     std::vector<std::size_t> crosses;               ///< see `Constriction::crosses()`
     std::vector<std::size_t> crosses_oddly;         ///< see `Constriction::crosses_oddly()`
   };
@@ -153,9 +154,14 @@ public:
   double prominence() const { return m_data->prominence; }
 
   /// the constriction that the curve slides to when it is made longer by its prominence, given by its place in the
-  /// sequence that this one was written to the output in; none if the curve slides off over a point, or to none of the
-  /// constrictions in that sequence
+  /// sequence that this one was written to the output in. It is no longer than this one. None if the curve
+  /// `slides_off()`, or if it cannot become shorter: then it does not separate, and the prominence tells how long it is
+  /// when its two sides, swept, have met.
   const std::optional<std::size_t>& dominated_by() const { return m_data->dominated_by; }
+
+  /// the vertex over which the curve slides off, shortening to a point, when it is made longer by its prominence; none
+  /// if it does not separate, or is `dominated_by()` a constriction
+  const std::optional<vertex_descriptor>& slides_off() const { return m_data->slides_off; }
 
   /// constrictions that the curve crosses, there and back, given by their places as above. Of two that cross each other
   /// one names the other, as a rule the longer the shorter. Those of negligible prominence, less than 0.01, need not be

@@ -49,7 +49,7 @@ struct Carrying_parameters
 /// \tparam Visitor a model of `ConstrictionRefinementVisitor`
 ///
 /// \param pm the surface; at level 0 afterwards
-/// \param seeds the seeds, on any levels, in any order
+/// \param seeds the seeds, on any levels, in any order; those that `merge_seed_curves()` adds are appended
 /// \param parameters the levels to tighten on, and what is kept
 /// \param out an output iterator; curves that `is_discarded` or that shortened to a point are written without nodes
 /// \param visitor is told of levels only
@@ -57,7 +57,7 @@ struct Carrying_parameters
 /// \pre `parameters.merging.kept > 0`, `parameters.tightening_vertices > 0` and `parameters.tightening_factor > 1`
 /// \cost O(degree) for each level and for each vertex split on a path, plus that of `merge_seed_curves()`
 template <class ConcurrencyTag = Sequential_tag, class OutputIterator, class Visitor>
-OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,
+OutputIterator carry_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& seeds,
                                  const Carrying_parameters& parameters, OutputIterator out, Visitor& visitor)
 {
   std::vector<Seed_curve> curves = seeds;
@@ -69,6 +69,11 @@ OutputIterator carry_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   const auto merge_on = [&](std::size_t level) {
     std::vector<Merged_seed> merged;
     merge_seed_curves<ConcurrencyTag>(pm, curves, level, merging, std::back_inserter(merged));
+    for(std::size_t i = stands_for.size(); i < curves.size(); ++i)
+    {
+      stands_for.push_back({seeds.size()});
+      seeds.push_back(curves[i]);
+    }
     visitor.on_level(level);
     std::vector<Seed_curve> kept;
     std::vector<std::vector<std::size_t> > kept_for;

@@ -5,16 +5,26 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/by_length.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/crossings_of_curves.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Crossed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Slides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/Closed_strip.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/String_puller.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -23,10 +33,61 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Gives constrictions of T^0, of which these are the traces, their prominences, and which of the others they cross.
+// Curves that cannot become shorter, and whose lengths differ by no more than this share, have the same barrier.
+constexpr double alike_tolerance = 1e-3;
+
+// A place in the hierarchy of constrictions.
+struct Hierarchy_entry
+{
+  double prominence;
+  std::optional<std::size_t> dominated_by; // place of a constriction
+  Index slides_off;                        // vertex, or null_index
+  bool has_end;                            // whether the curve can become shorter
+};
+
+// A curve that cannot become shorter has no barrier by nature, and how long it is when its sides have met depends on
+// where it lies. So that equal holes are equally prominent, the least such length among curves of about the same
+// length is taken for all of them. Lengths and entries in one order.
+inline void level_endless(const std::vector<double>& lengths, std::vector<Hierarchy_entry>& entries)
+{
+  std::vector<Index> order = by_length(lengths);
+  order.erase(std::remove_if(order.begin(), order.end(), [&](Index i) { return entries[i].has_end; }), order.end());
+  for(std::size_t begin = 0, end; begin < order.size(); begin = end)
+  {
+    double least = (std::numeric_limits<double>::infinity)();
+    for(end = begin; end < order.size() && lengths[order[end]] <= lengths[order[begin]] * (1 + alike_tolerance); ++end)
+      least = (std::min)(least, (1 + entries[order[end]].prominence) * lengths[order[end]]);
+    for(std::size_t i = begin; i < end; ++i)
+      entries[order[i]].prominence = least / lengths[order[i]] - 1;
+  }
+}
+
+// For each of some simple closed geodesics of T^0 the others that it crosses there and back and that are shorter.
+// Those for which `is_known` is not set are not looked for. Linear in the mesh, plus the curves that each crosses.
+inline Earlier_curves crossed_evenly(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces,
+                                     const std::vector<double>& lengths, const std::vector<bool>& is_known)
+{
+  Earlier_curves result(traces.size());
+  Crossed_curves crossed(pm);
+  std::vector<Index> known;
+  for(Index i : by_length(lengths))
+  {
+    for(Index a : crossed.crossed_by(traces[i]))
+      result[i].push_back(known[a]);
+    if(!is_known[i])
+      continue;
+    crossed.add(traces[i]);
+    known.push_back(i);
+  }
+  return result;
+}
+
+// Gives constrictions of T^0, of which these are the traces, their places in the hierarchy, and which of the others they
+// cross.
 template <class TriangleMesh>
-void set_prominences(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces,
-                     const std::vector<Prominence>& p, std::vector<Constriction<TriangleMesh> >& constrictions)
+void set_prominences(const Progressive_mesh& pm, const Imported_mesh<TriangleMesh>& imported,
+                     const std::vector<std::vector<Trace_point> >& traces, std::vector<Hierarchy_entry> entries,
+                     std::vector<Constriction<TriangleMesh> >& constrictions)
 {
   typedef typename Constriction<TriangleMesh>::Data Data;
   std::vector<Data> data;
@@ -37,22 +98,29 @@ void set_prominences(const Progressive_mesh& pm, const std::vector<std::vector<T
     data.push_back(c.data());
     lengths.push_back(c.length());
   }
+  level_endless(lengths, entries);
+  std::vector<bool> is_known;
   for(std::size_t i = 0; i < data.size(); ++i)
   {
-    data[i].prominence = p[i].value;
-    data[i].dominated_by.reset();
-    if(p[i].dominated_by != null_index)
-      data[i].dominated_by = p[i].dominated_by;
-    data[i].crosses.assign(p[i].crosses.begin(), p[i].crosses.end());
-    data[i].crosses_oddly.clear();
+    data[i].prominence = entries[i].prominence;
+    data[i].dominated_by = entries[i].dominated_by;
+    data[i].slides_off.reset();
+    if(entries[i].slides_off != null_index)
+      data[i].slides_off = imported.vertex(entries[i].slides_off);
+    is_known.push_back(entries[i].prominence >= negligible_prominence);
   }
+  const Earlier_curves crossed = crossed_evenly(pm, traces, lengths, is_known);
   std::vector<std::vector<Trace_point> > their_traces;
   for(Index i : by_length(lengths))
-    if(!data[i].separating && p[i].value >= negligible_prominence)
+  {
+    data[i].crosses.assign(crossed[i].begin(), crossed[i].end());
+    data[i].crosses_oddly.clear();
+    if(!data[i].separating && is_known[i])
     {
       not_separating.push_back(i);
       their_traces.push_back(traces[i]);
     }
+  }
   const Earlier_curves odd = odd_crossings(pm, their_traces), in_faces = crossings_in_faces(pm, their_traces);
   for(std::size_t i = 0; i < odd.size(); ++i)
   {
@@ -66,6 +134,59 @@ void set_prominences(const Progressive_mesh& pm, const std::vector<std::vector<T
   }
   for(std::size_t i = 0; i < data.size(); ++i)
     constrictions[i] = Constriction<TriangleMesh>(std::move(data[i]));
+}
+
+// The arcs of a closed curve of T^0. One that is given without pivots gets the one around which its strip is shortest.
+inline std::vector<Arc> arcs_of_trace(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
+{
+  const std::size_t first = static_cast<std::size_t>(
+      std::find_if(trace.begin(), trace.end(), [](const Trace_point& p) { return p.is_pivot(); }) - trace.begin());
+  if(first == trace.size())
+  {
+    Strip crossings;
+    for(const Trace_point& p : trace)
+      crossings.push_back(p.halfedge);
+    const Closed_strip strip(pm, crossings);
+    String_puller puller(pm);
+    return strip.is_degenerate() ? std::vector<Arc>()
+                                 : strip.shortest_loop(strip.foremost_corner(strip.inner_side()), puller);
+  }
+  Closed_curve curve;
+  for(std::size_t i = 0; i < trace.size(); ++i)
+  {
+    const Trace_point& p = trace[(first + i) % trace.size()];
+    curve.nodes.push_back(Closed_curve::Node{p.pivot, p.halfedge});
+  }
+  return arcs_of_curve(pm, curve);
+}
+
+// The hierarchy of simple closed geodesics of T^0 among each other: what is not among them is followed on to what it
+// slides to.
+inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm,
+                                              const std::vector<std::vector<Trace_point> >& traces)
+{
+  const Surface_sides sides(pm);
+  Slides slides(pm, sides);
+  std::vector<Index> numbers;
+  std::unordered_map<Index, std::size_t> place;
+  for(const std::vector<Trace_point>& t : traces)
+  {
+    numbers.push_back(slides.enter(arcs_of_trace(pm, t)));
+    place.emplace(numbers.back(), numbers.size() - 1);
+  }
+  std::vector<Hierarchy_entry> result;
+  for(std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    const Barrier* b = &slides.barrier(numbers[i]);
+    const double prominence = b->length / slides.length(numbers[i]) - 1;
+    const bool has_end = b->end != Barrier_end::NONE;
+    while(b->end == Barrier_end::CURVE && place.count(b->curve) == 0)
+      b = &slides.barrier(b->curve);
+    result.push_back({prominence, std::nullopt, b->vertex, has_end});
+    if(b->end == Barrier_end::CURVE)
+      result.back().dominated_by = place.at(b->curve);
+  }
+  return result;
 }
 
 // The points of constrictions of a mesh on its copy.
@@ -104,23 +225,23 @@ std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<
 /// to where it is shorter: to a shorter constriction of the set, to one that is not in the set, or off over a point. It
 /// is \f$b/L - 1\f$, where *L* is the length of the curve and *b* its lowest *barrier*: the greatest length on the way.
 ///
-/// From the curve both sides are swept by the level sets of the distance to it, each a set of closed curves. The
-/// barrier of a side is the greatest length of its level sets until they are shorter than *L*; or until a shorter
-/// constriction has been swept over at which the sweep, if it stops there, leaves no more than *L* in total. The side
-/// whose barrier is lower so far is swept on, and nothing is swept that is higher than the lowest barrier. From a
-/// curve that does not separate the sweep goes on until its sides meet. Where the curve slides to another
-/// constriction of the set, the way through the curves at which the distances to the two are in a fixed proportion is
-/// measured, too, and the lower barrier counts: around a bend of a tube these curves turn with the tube.
+/// From the curve both sides are swept by the level sets of the distance to it. What has been swept on a side is bounded
+/// by closed curves that together are homologous to the curve. Now and then they are tightened: as long as they have not
+/// got over the pass they do not become shorter than *L*, behind it they do. The barrier of the side is the greatest
+/// length up to the first level behind the pass. The side whose barrier is lower so far is swept on, and nothing is
+/// swept that is higher than the lowest barrier.
 ///
-/// This is an upper bound of the least barrier over all ways on which the curve may split into several. Both kinds of
-/// curves are zero sets of functions that are linear in each face, so they are closed polygons on the mesh, whose
-/// lengths are measured exactly but for rounding: the bound holds whatever the error of the distances, which come
-/// from fast marching and are right to first order in the size of the faces. The lengths are sampled, at 256 level
-/// sets on the first stretch of length *L*, and at 31 curves between two constrictions.
+/// This is an upper bound of the least barrier over all ways on which the curve may split into several: the curve can be
+/// moved through the level sets, and tightening only shortens. The lengths are exact but for rounding, whatever the
+/// error of the distances, which come from fast marching and are right to first order in the size of the faces. They are
+/// sampled at 256 level sets on the first stretch of length *L*.
 ///
-/// The constrictions and the barriers between them are a hierarchy: from one to the one that it slides to lengths do
-/// not grow, so that following `Constriction::dominated_by()` ends. Constrictions of a prominence below 0.01 dominate
-/// none.
+/// What a curve becomes behind the pass is its end: `Constriction::dominated_by()`, or the point where it
+/// `Constriction::slides_off()`. A curve that is not in the set is followed on to what it slides to. From one to the one
+/// that dominates it lengths do not grow, and of two of equal length always the same one stands for both, so that the way
+/// along `Constriction::dominated_by()` ends. A curve that does not separate may have no end: it cannot become shorter.
+/// Its prominence tells how long it is when its sides, swept, have met; of several of the same length it is the least
+/// of these values.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam ConstrictionRange a range of `Constriction<TriangleMesh>`
@@ -148,7 +269,8 @@ std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<
 ///
 /// \return the output iterator, past the last element that was written
 /// \throws Invalid_input for a mesh that cannot be used
-/// \cost linear in the size of the mesh, plus, for each curve, O(m log m) for the m faces that are swept
+/// \cost linear in the size of the mesh, plus, for each curve and each that it slides to, O(m log m) for the m faces
+///       that are swept, and the tightening of O(log m) level sets
 ///
 /// \sa `select_constrictions()`
 template <class TriangleMesh, class ConstrictionRange, class OutputIterator,
@@ -167,7 +289,7 @@ OutputIterator compute_prominences(const TriangleMesh& tm, const ConstrictionRan
   const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
   std::vector<Constriction<TriangleMesh> > result(constrictions.begin(), constrictions.end());
   const std::vector<std::vector<internal::Trace_point> > traces = internal::traces_of(result, imported, vim, pm);
-  internal::set_prominences(pm, traces, internal::prominences(pm, traces, nullptr), result);
+  internal::set_prominences(pm, imported, traces, internal::hierarchy(pm, traces), result);
   return std::move(result.begin(), result.end(), out);
 }
 

@@ -12,11 +12,11 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/Detected_hierarchy.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/carry_seeds_to_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/found_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/policies_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Level_copy.h>
@@ -186,9 +186,6 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   const bool selects_all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
   const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                                 default_maximum_isoperimetric_ratio);
-  // what early selection gives up for what it crosses is not measured in the last one either
-  const Merging_parameters early = internal::carrying_parameters(np).merging;
-  const bool with_crossing = early.crossing || early.minimum_prominence <= 0;
 
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();
@@ -206,8 +203,8 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       },
       internal::policies_asked_for(np));
   const Progressive_mesh& pm = *surface;
-  const std::vector<Seed_curve>& seeds = carried.seeds;
-  const std::vector<Refined_curve>& refined = carried.refined;
+  std::vector<Seed_curve>& seeds = carried.seeds;
+  std::vector<Refined_curve>& refined = carried.refined;
   Detection_statistics statistics;
   statistics.collapses = carried.collapses;
   statistics.seeds = seeds.size();
@@ -223,20 +220,27 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
     statistics.not_selected += internal::drop_too_long<ConcurrencyTag>(network, sides, maximum_ratio, found);
   visitor.on_stage_end(Detection_stage::TIGHTENING);
 
-  visitor.on_stage_begin(Detection_stage::CERTIFICATION, certifies ? found.size() : 0);
-  if(certifies)
-  {
+  // what certifies curves and corrects them
+  const auto certify = [&](std::vector<internal::Found_curve>& curves, const auto& on_step) {
     typedef std::decay_t<decltype(vpm)> Vertex_point_map;
     // other numbers than the built-in ones may share what they are made of
     typedef std::decay_t<decltype(get(vpm, imported.vertex(0)).x())> Coordinate;
     typedef std::conditional_t<std::is_arithmetic<Coordinate>::value, ConcurrencyTag, Sequential_tag> Certification_tag;
-    internal::certify_found<Certification_tag>(
-        network, [&] { return internal::Exact_settler<TriangleMesh, Vertex_point_map>(pm, imported, vpm); },
-        imported.unit(), refined, found, statistics,
-        [&visitor](std::size_t i) { visitor.on_step(Detection_stage::CERTIFICATION, i); });
-  }
-  internal::merge_coinciding(network, found);
+    if(certifies)
+      internal::certify_found<Certification_tag>(
+          network, [&] { return internal::Exact_settler<TriangleMesh, Vertex_point_map>(pm, imported, vpm); },
+          imported.unit(), refined, curves, statistics, on_step);
+  };
+  visitor.on_stage_begin(Detection_stage::CERTIFICATION, certifies ? found.size() : 0);
+  certify(found, [&visitor](std::size_t i) { visitor.on_step(Detection_stage::CERTIFICATION, i); });
+  visitor.on_stage_end(Detection_stage::CERTIFICATION);
 
+  visitor.on_stage_begin(Detection_stage::SELECTION, found.size());
+  internal::Detected_hierarchy hierarchy(pm, coarse ? &*coarse : nullptr, sides, network);
+  statistics.merged += hierarchy.close<ConcurrencyTag>(found, refined, seeds, [&](std::vector<internal::Found_curve>& curves) {
+    certify(curves, [](std::size_t) {});
+  });
+  statistics.seeds = seeds.size();
   internal::Constriction_maker<TriangleMesh> maker(imported, pm, sides);
   std::vector<Constriction<TriangleMesh> > constrictions, selected;
   std::vector<std::vector<internal::Trace_point> > traces;
@@ -247,23 +251,10 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       for(std::size_t s : refined[i].seeds)
         its_seeds.push_back(seeds[s]);
     statistics.merged += its_seeds.size() - 1;
-    Constriction<TriangleMesh> made = maker.make(network, f.curve, its_seeds, f.band_width, f.certificate);
-    if(!selects_all && made.is_separating() && made.isoperimetric_ratio() > maximum_ratio)
-    {
-      ++statistics.not_selected;
-      continue;
-    }
-    constrictions.push_back(std::move(made));
+    constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width, f.certificate));
     traces.push_back(internal::trace(pm, internal::arcs_of_curve(network, f.curve)));
   }
-  visitor.on_stage_end(Detection_stage::CERTIFICATION);
-
-  visitor.on_stage_begin(Detection_stage::SELECTION, constrictions.size());
-  const internal::Surface_sides* const filtering_sides = with_crossing ? nullptr : &sides;
-  internal::set_prominences(pm, traces,
-                            coarse ? internal::prominences(pm, *coarse, traces, filtering_sides)
-                                   : internal::prominences(pm, traces, filtering_sides),
-                            constrictions);
+  internal::set_prominences(pm, imported, traces, hierarchy.entries(found), constrictions);
   select_by_prominence(constrictions, std::back_inserter(selected), np);
   statistics.not_selected += constrictions.size() - selected.size();
   visitor.on_stage_end(Detection_stage::SELECTION);

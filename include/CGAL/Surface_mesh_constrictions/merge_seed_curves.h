@@ -115,7 +115,9 @@ inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::
 /// \tparam OutputIterator takes `Merged_seed`
 ///
 /// \param pm the surface; at the given level afterwards
-/// \param seeds the seeds, on any levels, in any order. Those of finer levels are written as they are.
+/// \param seeds the seeds, on any levels, in any order. Those of finer levels are written as they are. Where copies are
+///        measured, what a copy that is given up for its prominence slides to is kept in its stead; if no seed leads
+///        there, one is appended, with the origin `Seed_origin::BARRIER`.
 /// \param level the level to merge on
 /// \param parameters what is kept
 /// \param out an output iterator
@@ -124,7 +126,7 @@ inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::
 /// \cost O(degree) for each level and for each vertex split on a path, plus for each seed that of tightening it on the
 ///       given level until it is what another one was on its way, plus that of the areas and prominences asked for
 template <class ConcurrencyTag = Sequential_tag, class OutputIterator>
-OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds, std::size_t level,
+OutputIterator merge_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& seeds, std::size_t level,
                                  const Merging_parameters& parameters, OutputIterator out)
 {
   typedef std::vector<Index> Path;
@@ -163,8 +165,16 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, const std::vector<Seed_cu
   for(std::size_t i : internal::tighten_paths<ConcurrencyTag>(paths.size(), path_on_copy, network))
     give_up(i, Merging_verdict::DEGENERATE);
 
+  const auto add_seed = [&](Path path) {
+    for(Index& v : path)
+      v = level_copy.original(v);
+    paths.push_back({Seed_curve{level, path, Seed_origin::BARRIER}, {seeds.size()}, Merging_verdict::KEPT});
+    seeds.push_back(paths.back().curve);
+    return paths.size() - 1;
+  };
   const std::vector<Index> asked = internal::curves_asked_for<ConcurrencyTag>(
-      network, sides, parameters.maximum_isoperimetric_ratio, parameters.minimum_prominence, parameters.crossing);
+      network, sides, parameters.maximum_isoperimetric_ratio, parameters.minimum_prominence, parameters.crossing,
+      add_seed);
   for(Index c = 0; c < network.number_of_curve_ids(); ++c)
   {
     if(network.is_empty(c))

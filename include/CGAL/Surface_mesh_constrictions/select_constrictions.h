@@ -70,7 +70,8 @@ constexpr std::size_t prominence_vertices = 2048;
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{crossing_constrictions}
 ///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected,
-///                           there and back: see `Constriction::crosses()`; and those that are composed of shorter
+///                           there and back: see `Constriction::crosses()`; those that cross four shorter ones of
+///                           a prominence of 0.3 or more, or sixteen of any; and those that are composed of shorter
 ///                           ones: modulo 2 their homology class is the sum of the classes of shorter ones, one of
 ///                           which they cross}
 ///     \cgalParamType{`bool`}
@@ -115,8 +116,14 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
   });
   if(!all && !with_crossing)
   {
-    const std::vector<bool> is_composed = internal::composed_constrictions(given, order);
-    order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return is_composed[i]; }), order.end());
+    std::vector<bool> is_left_out = internal::family_constrictions(given, order);
+    const auto leave_out = [&] {
+      order.erase(std::remove_if(order.begin(), order.end(), [&](std::size_t i) { return is_left_out[i]; }),
+                  order.end());
+    };
+    leave_out();
+    is_left_out = internal::composed_constrictions(given, order);
+    leave_out();
   }
 
   // the more prominent first, without those that cross one of them

@@ -53,7 +53,7 @@ std::vector<std::size_t> all_seeds(const std::vector<SMC::Merged_seed>& merged)
 TEST(EdgePaths, StayClosedPathsOfEdgesAtEveryLevel)
 {
   SMC::Progressive_mesh pm = simplified(test_meshes::torus(0.2, 2, 20, 12));
-  const std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, pm.number_of_collapses() - 20);
+  std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, pm.number_of_collapses() - 20);
   ASSERT_FALSE(seeds.empty());
   SMC::internal::Edge_paths paths(pm);
   for(const SMC::Seed_curve& s : seeds)
@@ -102,7 +102,7 @@ TEST(MergeSeedCurves, HandsOnEverySeedOnceAndKeepsPathsOfEdges)
 TEST(MergeSeedCurves, OnTheInputOneSeedIsKeptOfThoseThatMeet)
 {
   SMC::Progressive_mesh pm = simplified(test_meshes::boxes_with_tube(4));
-  const std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, 0);
+  std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, 0);
   std::vector<SMC::Merged_seed> merged;
   SMC::merge_seed_curves(pm, seeds, 0, SMC::Merging_parameters(), std::back_inserter(merged));
   std::size_t living = 0;
@@ -117,7 +117,7 @@ TEST(MergeSeedCurves, OnTheInputOneSeedIsKeptOfThoseThatMeet)
 TEST(MergeSeedCurves, WhatIsComposedOfShorterOnesIsKeptOnlyIfAskedFor)
 {
   SMC::Progressive_mesh pm = simplified(test_meshes::torus(0.2, 7, 20, 12));
-  const std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, 0);
+  std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, 0);
   const SMC::internal::Surface_cycles cycles(pm);
   const auto kept_classes = [&](bool crossing) {
     SMC::Merging_parameters parameters;
@@ -227,7 +227,7 @@ TEST(CarrySeedCurves, HandsOnEverySeedOnceWithAndWithoutTighteningOnTheWay)
   for(const std::size_t tightening_vertices : {std::size_t(16384), std::size_t(150)})
   {
     SMC::Progressive_mesh pm = simplified(test_meshes::dumbbell(0.1, 3, 36, 24));
-    const std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, pm.number_of_collapses() - 60);
+    std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, pm.number_of_collapses() - 60);
     SMC::Carrying_parameters parameters;
     parameters.merging_vertices = 80;
     parameters.tightening_vertices = tightening_vertices;

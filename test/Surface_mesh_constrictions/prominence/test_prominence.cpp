@@ -3,21 +3,17 @@
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominence/Curve_slide.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Level_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <random>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace test_prominence {
@@ -149,61 +145,37 @@ TEST(Prominence, ComputedAfterwardsItIsWhatTheDetectionComputes)
 }
 
 // The triangle (0,0) (2,0) (0,2) with values 0, 1, 2: the level set of 1 is the line from (2,0) to (0,1).
-TEST(Prominence, LevelSetsOfATriangleAreMeasuredExactly)
+SMC::internal::Level_lengths::Triangle triangle()
 {
   using SMC::internal::Vector3;
+  return {{{Vector3{0, 2, 0}, 2.}, {Vector3{0, 0, 0}, 0.}, {Vector3{2, 0, 0}, 1.}}};
+}
+
+TEST(Prominence, LevelSetsOfATriangleAreMeasuredExactly)
+{
   const SMC::internal::Level_scale scale(1);
   SMC::internal::Level_lengths lengths;
-  lengths.add(scale, {{{Vector3{0, 2, 0}, 2.}, {Vector3{0, 0, 0}, 0.}, {Vector3{2, 0, 0}, 1.}}}, 1);
+  lengths.add(scale, triangle());
   for(std::size_t k = 0; k < 600; ++k)
   {
     const double d = scale.level(k);
     const double expected = d <= 1 ? d * std::sqrt(5.) : d <= 2 ? (2 - d) * std::sqrt(5.) : 0;
-    double sum = 0;
-    for(const auto& in_class : lengths.lengths(k))
-    {
-      EXPECT_EQ(in_class.first, 1u);
-      sum += in_class.second;
-    }
-    EXPECT_NEAR(sum, expected, 1e-12) << d;
+    EXPECT_NEAR(lengths.length(k), expected, 1e-12) << d;
     EXPECT_EQ(scale.first_above(d), k + 1);
   }
 }
 
-// A sample cuts a face if the interpolated distance has both signs at its corners.
-TEST(Prominence, AllSamplesThatCutAFaceAreLookedAtAndMostlyFewOthers)
+// With the other function 2 - f the domain ends at the level set of 1, which is left for good.
+TEST(Prominence, WhereTwoSidesMeetTheEndOfTheDomainStays)
 {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> width(0, 0.1), offset(-0.1, 1);
-  std::size_t cutting = 0, looked_at = 0;
-  for(int trial = 0; trial < 10000; ++trial)
+  const SMC::internal::Level_scale scale(1);
+  SMC::internal::Level_lengths lengths;
+  lengths.add(scale, triangle(), {{0, 2, 1.00001}});
+  for(std::size_t k = 1; k < 600; ++k)
   {
-    const double at = offset(random);
-    std::array<double, 3> from, to;
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      from[i] = at + width(random);
-      to[i] = at - 1 + width(random);
-    }
-    const std::pair<std::size_t, std::size_t> range = SMC::internal::samples_that_cut(from, to);
-    ASSERT_LE(range.second, SMC::internal::slide_samples);
-    const bool is_between = *std::min_element(from.begin(), from.end()) > 0 &&
-                            *std::max_element(to.begin(), to.end()) <= 0;
-    looked_at += is_between ? range.second - range.first : 0;
-    for(std::size_t k = 0; k < SMC::internal::slide_samples; ++k)
-    {
-      const double t = SMC::internal::slide_parameter(k);
-      std::size_t positive = 0;
-      for(std::size_t i = 0; i < 3; ++i)
-        positive += (1 - t) * from[i] + t * to[i] > 0;
-      if(positive == 0 || positive == 3)
-        continue;
-      EXPECT_TRUE(range.first <= k && k < range.second) << k;
-      cutting += is_between;
-    }
+    const double d = scale.level(k);
+    EXPECT_NEAR(lengths.length(k), (d <= 1 ? d : 1) * std::sqrt(5.), 1e-4) << d;
   }
-  EXPECT_GT(cutting, 5000u);
-  EXPECT_LT(looked_at, 4 * cutting);
 }
 
 } // namespace test_prominence

@@ -31,6 +31,7 @@ const char* name(SMC::Seed_origin origin)
     case SMC::Seed_origin::NON_FACE_TRIANGLE: return "non_face_triangle";
     case SMC::Seed_origin::CUT_LOCUS: return "cut_locus";
     case SMC::Seed_origin::SECTION: return "section";
+    case SMC::Seed_origin::BARRIER: return "barrier";
     default: return "user";
   }
 }
@@ -123,6 +124,7 @@ Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mes
           {"isoperimetric_ratio", c.isoperimetric_ratio()},
           {"prominence", c.prominence()}, // null if it is not a number
           {"dominated_by", c.dominated_by() ? Json(*c.dominated_by()) : Json()},
+          {"slides_off", c.slides_off() ? Json(static_cast<std::size_t>(*c.slides_off())) : Json()},
           {"seed", seed_as_json(c.seeds().front())}};
 }
 

@@ -8,7 +8,14 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/by_length.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/path_beside_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Crossed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Crossing_filter.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Group.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
@@ -18,6 +25,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -59,12 +67,77 @@ std::vector<std::size_t> paths_asked_for(std::size_t number_of_paths, const Path
   return result;
 }
 
+// Adds simple closed geodesics with these traces, curves of a network, to `result`, if they are no less prominent and a
+// `Crossing_filter` lets them pass, if curves are not to cross. What a less prominent one slides to stands for it, and is
+// taken to the network if it is not there: add_seed(path) enters a closed path of edges that shortens to it, and returns
+// the number of that seed. Cost: that of `Barrier_search::search()` for each.
+template <class AddSeed>
+void add_prominent_curves(Curve_network& network, std::vector<Index> curves,
+                          std::vector<std::vector<Trace_point> > traces, const Surface_sides& sides,
+                          double minimum_prominence, bool with_crossing, const AddSeed& add_seed,
+                          std::vector<Index>& result)
+{
+  const Progressive_mesh& pm = network.surface();
+  const Edge_lengths edge_lengths(pm);
+  const Corner_angles angles(pm);
+  Barrier_search search(pm, edge_lengths, angles);
+  std::unordered_set<Index> numbers; // of the curves, in the search
+  std::vector<double> lengths;
+  for(Index c : curves)
+  {
+    lengths.push_back(network.length(c));
+    numbers.insert(search.tightener().enter(arcs_of_curve(network, c)));
+  }
+  Crossed_curves crossed(pm);
+  Crossing_filter filter(pm, sides);
+  std::vector<Index> known;
+  std::vector<Index> order = by_length(lengths);
+  for(std::size_t done = 0; done < order.size(); ++done)
+  {
+    const Index i = order[done];
+    if(!with_crossing)
+    {
+      std::vector<Index> crosses;
+      for(Index a : crossed.crossed_by(traces[i]))
+        crosses.push_back(known[a]);
+      if(!filter.passes(i, traces[i], crosses))
+        continue;
+    }
+    const Measured_curve curve = {arcs_of_curve(network, curves[i]), traces[i], lengths[i],
+                                  sides.part(traces[i]).is_separating()};
+    Prominence p = prominence(search, curve, (std::max)(minimum_prominence, firm_prominence));
+    if(p.value < minimum_prominence)
+    {
+      std::vector<Index> path = path_inside(pm, p.strip);
+      if(path.size() > 2 && numbers.insert(search.tightener().enter(p.arcs)).second)
+      {
+        const Index c = network.add_curve(add_seed(std::move(path)));
+        network.set_arcs(c, p.arcs);
+        order.insert(order.begin() + static_cast<std::ptrdiff_t>(done) + 1, static_cast<Index>(curves.size()));
+        curves.push_back(c);
+        traces.push_back(trace(pm, arcs_of_curve(network, c)));
+        lengths.push_back(network.length(c));
+      }
+      continue;
+    }
+    result.push_back(curves[i]);
+    if(!with_crossing)
+    {
+      crossed.add(traces[i]);
+      known.push_back(i);
+      filter.keep(i, traces[i], p.value);
+    }
+  }
+}
+
 // Of the closed geodesics of a level the ones that may be asked for, as far as this level tells: those of no greater
 // isoperimetric ratio and no less prominence, which do not cross others if these are not to. Curves that are not simple
-// here may be on a finer level. Ascending. Cost: that of the areas and prominences.
-template <class ConcurrencyTag>
-std::vector<Index> curves_asked_for(const Curve_network& network, const Surface_sides& sides,
-                                    double maximum_isoperimetric_ratio, double minimum_prominence, bool with_crossing)
+// here may be on a finer level. Curves may be added, see `add_prominent_curves()`. Ascending. Cost: that of the areas and
+// prominences.
+template <class ConcurrencyTag, class AddSeed>
+std::vector<Index> curves_asked_for(Curve_network& network, const Surface_sides& sides,
+                                    double maximum_isoperimetric_ratio, double minimum_prominence, bool with_crossing,
+                                    const AddSeed& add_seed)
 {
   const Progressive_mesh& pm = network.surface();
   std::vector<Index> all, result, simple;
@@ -109,12 +182,8 @@ std::vector<Index> curves_asked_for(const Curve_network& network, const Surface_
   if(minimum_prominence <= 0)
     result.insert(result.end(), simple.begin(), simple.end());
   else
-  {
-    const std::vector<Prominence> p = prominences(pm, traces, with_crossing ? nullptr : &sides);
-    for(std::size_t i = 0; i < simple.size(); ++i)
-      if(p[i].value >= minimum_prominence)
-        result.push_back(simple[i]);
-  }
+    add_prominent_curves(network, simple, std::move(traces), sides, minimum_prominence, with_crossing, add_seed,
+                         result);
   std::sort(result.begin(), result.end());
   return result;
 }

@@ -3,6 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_CURVES_PATH_BESIDE_CURVE_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/remove_spurs.h>
 
@@ -19,6 +20,16 @@ inline std::vector<Index> vertices_passed(const Progressive_mesh& pm, const std:
   for(const Trace_point& p : trace)
     vertices.push_back(p.is_pivot() ? p.pivot : pm.target(p.halfedge));
   return vertices;
+}
+
+// The closed path of edges beside a closed curve without pivots that crosses these halfedges, on its left. Linear.
+inline std::vector<Index> path_inside(const Progressive_mesh& pm, const Strip& strip)
+{
+  std::vector<Index> path;
+  for(Index h : strip)
+    path.push_back(pm.target(h));
+  remove_spurs(path);
+  return path;
 }
 
 // The closed path of edges beside a closed curve: each crossing is moved to the nearer end of its edge. Fewer than

@@ -116,7 +116,7 @@ Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, cons
   visitor.on_stage_begin(Detection_stage::SEEDS, record.collapses.size());
   Progressive_mesh pm = is_last ? Progressive_mesh(std::move(imported.table), std::move(imported.points))
                                 : Progressive_mesh(imported.table, imported.points);
-  const std::vector<Seed_curve> seeds = find_seeds<ConcurrencyTag>(record, np, first_only, visitor, pm);
+  std::vector<Seed_curve> seeds = find_seeds<ConcurrencyTag>(record, np, first_only, visitor, pm);
   pm.go_to_level(pm.level_with(prominence_vertices));
   if(!coarse && pm.level() > 0)
     coarse.emplace(pm);

@@ -3,165 +3,206 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_BARRIER_SEARCH_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominence/Curve_slide.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Boundary_tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Distance_sweep.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Level sets whose lengths differ by less than this share are equally long.
-constexpr double level_length_tolerance = 1e-9;
+// A curve that is less prominent hardly holds. On a tube most closed geodesics are such.
+constexpr double negligible_prominence = 0.01;
 
-// The greatest length on the way to where a curve can become shorter, and the curve that it then becomes; null_index if
-// that is none of those that are known.
+// How a search for a barrier ends.
+enum class Barrier_end
+{
+  CURVE,  // behind the barrier lies a shorter curve, or one of the same length that stands for both
+  POINT,  // there the curve shortens to a point
+  NONE,   // there is no way to become shorter: the curve does not separate
+  BEYOND  // the barrier is higher than what was asked about
+};
+
+// The greatest length on the easiest way on which a curve becomes shorter, and what it becomes.
 struct Barrier
 {
   double length;
-  Index dominating;
+  Barrier_end end;
+  Index curve;             // of the tightener, if `end` is CURVE
+  Strip strip;             // of a closed curve that shortens to that
+  Index vertex;            // over which it slides off, if `end` is POINT
 };
 
 // Searches the lowest barrier around a curve, by sweeping from it. The side that has the lower barrier so far is swept
-// on, as water rises, so that nothing is swept that is higher than the answer.
+// on, as water rises. Now and then the boundary of what has been swept is tightened: as long as it lies before the pass
+// it does not become shorter than the curve; behind it, it does. What is found depends on the surface and the curve
+// alone.
 class Barrier_search
 {
 public:
-  // Linear in the size of the mesh.
-  explicit Barrier_search(const Progressive_mesh& pm)
-    : m_lengths_of_edges(pm), m_sweep(pm, m_lengths_of_edges), m_slide(pm, m_lengths_of_edges)
+  // `lengths` and `angles` of the surface. Linear in the size of the mesh.
+  Barrier_search(const Progressive_mesh& pm, const Edge_lengths& lengths, const Corner_angles& angles)
+    : m_sweep(pm, lengths), m_tightener(pm, angles)
   {}
 
-  // Makes a curve known to later searches. Curves are numbered in this order.
-  void add_curve(const std::vector<Trace_point>& trace, double length)
-  {
-    m_sweep.add_curve(trace);
-    m_traces.push_back(trace);
-    m_lengths.push_back(length);
-  }
+  Boundary_tightener& tightener() { return m_tightener; }
 
-  // The known curves that a curve crosses, there and back. Linear, up to a logarithm, in the edges that it crosses and
-  // the curves that cross those.
-  const std::vector<Index>& crossed_by(const std::vector<Trace_point>& trace)
+  // Searches from a simple closed geodesic with this trace, up to a length. The sides of a curve that does not separate
+  // meet. O(m log m) for m faces swept, plus the tightening of O(log) boundaries.
+  Barrier search(const std::vector<Arc>& arcs, const std::vector<Trace_point>& trace, bool separates,
+                 double greatest_length)
   {
-    m_sweep.put(trace);
-    return m_sweep.crossed_by_start();
-  }
-
-  // Searches from the curve that was asked about last. Linear, up to a logarithm, in the number of faces swept.
-  Barrier search(const std::vector<Trace_point>& trace, double length)
-  {
-    m_length = length;
-    m_highest = {{length, length}};
-    m_state = {{State::CLIMBING, State::CLIMBING}};
-    m_lowest = {(std::numeric_limits<double>::infinity)(), null_index};
-    m_sweep.start(trace, length);
+    m_start = m_tightener.enter(arcs);
+    m_length = m_tightener.length(m_start);
+    m_separates = separates;
+    m_lowest = {(std::numeric_limits<double>::infinity)(), Barrier_end::NONE, null_index, Strip(), null_index};
+    for(Side& s : m_sides)
+      s.restart(m_length);
+    m_sweep.start(trace, m_length, !separates);
     for(;;)
     {
-      std::size_t s = m_highest[1] < m_highest[0] ? 1 : 0;
+      std::size_t s = m_sides[1].highest() < m_sides[0].highest() ? 1 : 0;
       if(!is_climbing(s))
         s = 1 - s;
-      if(is_climbing(s))
-        climb(s);
-      else if(m_state[0] == State::FALLING || m_state[1] == State::FALLING)
-        fall(m_state[0] == State::FALLING ? 0 : 1);
-      else
+      if(!is_climbing(s))
         break;
+      if(m_sides[s].highest() > greatest_length)
+      {
+        m_lowest = {m_sides[s].highest(), Barrier_end::BEYOND, null_index, Strip(), null_index};
+        break;
+      }
+      climb(s);
     }
-    if(m_lowest.dominating != null_index)
-      slide();
-    return m_lowest;
+    if(m_lowest.end == Barrier_end::NONE)
+      m_lowest.length = (std::min)(m_sides[0].highest(), m_sides[1].highest());
+    return std::move(m_lowest);
   }
 
 private:
-  // A side is climbing until its level sets get shorter than the curve, and then falling until it is known where to.
-  enum class State { CLIMBING, FALLING, DONE };
-
-  bool is_climbing(std::size_t s) const
+  struct Side
   {
-    return m_state[s] == State::CLIMBING && m_highest[s] < m_lowest.length;
-  }
+    bool is_done;
+    std::vector<double> lengths;       // of the boundaries, by level
+    std::vector<double> highest_up_to; // by level: the greatest of them so far
+    double next_height;                // at which the boundary is tightened
+    double peak;                       // since it was tightened last
+    std::size_t next_level_below;      // from which on it is tightened if it is shorter than the curve
+    std::size_t before;                // the last level at which it was found before the pass
+
+    double highest() const { return highest_up_to.back(); }
+
+    void restart(double length)
+    {
+      is_done = false;
+      lengths.assign(1, length);
+      highest_up_to.assign(1, length);
+      next_height = (1 + first_rise) * length;
+      peak = length;
+      next_level_below = 0;
+      before = 0;
+    }
+  };
+
+  // A boundary is tightened when it has risen by so much, relative to the curve, then by this many times that, and so on;
+  static constexpr double first_rise = 0.02;
+  static constexpr double rise = 2.25;
+  // and when it has fallen so far below its greatest length since that was done last.
+  static constexpr double drop = 0.03;
+  // The height of a pass is located to this share of the curve's length, or to this share of the rise.
+  static constexpr double resolution = 0.002;
+  static constexpr double relative_resolution = 0.1;
+
+  bool is_climbing(std::size_t s) const { return !m_sides[s].is_done && m_sides[s].highest() < m_lowest.length; }
 
   void climb(std::size_t s)
   {
+    Side& side = m_sides[s];
+    const double length = advance(s);
+    const std::size_t level = m_sweep.level(s);
+    const bool is_used_up = m_sweep.is_used_up(s);
+    side.peak = (std::max)(side.peak, length);
+    side.is_done = is_used_up;
+    const bool is_below = length < m_length * (1 - equal_length_tolerance);
+    if(is_used_up || (is_below && level >= side.next_level_below) || side.highest() >= side.next_height ||
+       length < side.peak * (1 - drop))
+      look(s, level);
+    if(is_below)
+      side.next_level_below = level + 1 + level / 8;
+    while(side.next_height <= side.highest())
+      side.next_height = m_length + rise * (side.next_height - m_length);
+  }
+
+  double advance(std::size_t s)
+  {
+    Side& side = m_sides[s];
     const double length = m_sweep.advance(s);
-    m_highest[s] = (std::max)(m_highest[s], length);
-    take_dominating();
-    if(m_state[s] != State::CLIMBING || length >= m_length * (1 - level_length_tolerance))
-      return;
-    m_state[s] = State::DONE;
-    if(m_highest[s] >= m_lowest.length)
-      return;
-    m_lowest = {m_highest[s], null_index};
-    if(m_state[1 - s] == State::FALLING)
-      m_state[1 - s] = State::DONE;
-    m_state[s] = State::FALLING;
+    side.lengths.push_back(length);
+    side.highest_up_to.push_back((std::max)(side.highest(), length));
+    return length;
   }
 
-  void fall(std::size_t s)
+  // Tightens the boundary of a side, and if that is behind the pass locates the pass.
+  void look(std::size_t s, std::size_t level)
   {
-    const double length = m_sweep.advance(s);
-    take_dominating();
-    if(m_lowest.dominating != null_index || length > m_highest[s] || m_sweep.is_used_up(s))
-      m_state[s] = State::DONE;
-  }
-
-  // Looks for a shorter curve at which a sweep that stops there is no longer than the one that it began with, and which
-  // is the greater part of what is left.
-  void take_dominating()
-  {
-    m_sweep.for_each_covered([&](Index a) {
-      const bool both = m_sweep.is_beside_start(a);
-      for(std::size_t s = 0; s < 2; ++s)
-      {
-        const double barrier = both ? (std::max)(m_highest[0], m_highest[1]) : m_highest[s];
-        if(barrier > m_lowest.length || (barrier == m_lowest.length && m_lowest.dominating != null_index))
-          continue;
-        const double rest = m_sweep.rest(a, s);
-        if(rest > m_lengths[a] || m_lengths[a] + rest > m_length * (1 + level_length_tolerance))
-          continue;
-        m_lowest = {barrier, a};
-        m_side = s;
-        if(!both)
-          m_state[s] = State::DONE;
-      }
-    });
-  }
-
-  // Lowers the barrier to that of the direct way to the dominating curve, where that is lower.
-  void slide()
-  {
-    const Index a = m_lowest.dominating;
-    // what lies between the two has to be swept as a whole, and the vertices next to both
-    for(std::size_t s = 0; s < 2; ++s)
+    Side& side = m_sides[s];
+    side.peak = 0;
+    Barrier found = m_lowest;
+    if(!is_behind(s, level, found))
     {
-      if(m_sweep.reached(s) == 0)
-        m_sweep.advance(s);
-      if(s == m_side || m_sweep.is_beside_start(a))
-        while(m_sweep.rest(a, m_side) > 0 && m_sweep.reached(s) < 2 * m_sweep.distance(a) && !m_sweep.is_used_up(s))
-          m_sweep.advance(s);
+      side.before = level;
+      return;
     }
-    const double direct = m_slide.greatest_length(m_sweep, a, m_traces[a], m_side);
-    m_lowest.length = (std::min)(m_lowest.length, (std::max)(m_length, direct));
+    side.is_done = true;
+    std::size_t behind = level;
+    while(behind > side.before + 1 &&
+          side.highest_up_to[behind] > side.highest_up_to[side.before] + resolution * m_length)
+    {
+      const std::size_t middle = side.before + (behind - side.before) / 2;
+      if(is_behind(s, middle, found))
+        behind = middle;
+      else
+        side.before = middle;
+    }
+    found.length = side.highest_up_to[behind];
+    if(found.length < m_lowest.length)
+      m_lowest = std::move(found);
   }
 
-  Edge_lengths m_lengths_of_edges;
+  // Whether the boundary of a side at a level, tightened, is shorter than the curve, or is a curve of the same length
+  // that stands for both. If so, its end is written to `found`.
+  bool is_behind(std::size_t s, std::size_t level, Barrier& found)
+  {
+    const double tolerance = equal_length_tolerance * m_length;
+    Tightened_boundary b =
+        m_tightener.tighten(m_sweep.boundary(s, level), m_sides[s].lengths[level], m_length + tolerance);
+    if(b.length > m_length + tolerance || !b.is_simple || (b.longest == null_index && !m_separates))
+      return false;
+    if(b.length >= m_length - tolerance && (b.longest == m_start || !m_tightener.precedes(b.longest, m_start)))
+      return false;
+    found.end = b.longest == null_index ? Barrier_end::POINT : Barrier_end::CURVE;
+    found.curve = b.longest;
+    found.strip = std::move(b.strip);
+    found.vertex = b.longest != null_index ? null_index : b.vertex != null_index ? b.vertex : m_sweep.last_vertex(s);
+    return true;
+  }
+
   Distance_sweep m_sweep;
-  Curve_slide m_slide;
-  std::vector<std::vector<Trace_point> > m_traces;
-  std::vector<double> m_lengths;
-  double m_length = 0;
-  std::array<double, 2> m_highest;
-  std::array<State, 2> m_state;
+  Boundary_tightener m_tightener;
+  std::array<Side, 2> m_sides;
+  Index m_start = null_index; // the curve, of the tightener
+  double m_length = 0;        // of the curve
+  bool m_separates = true;
   Barrier m_lowest;
-  std::size_t m_side = 0; // on which the dominating curve lies
 };
 
 } // namespace internal

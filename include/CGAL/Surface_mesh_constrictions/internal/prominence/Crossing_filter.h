@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -31,42 +32,42 @@ constexpr double firm_prominence = 0.3;
 class Crossing_filter
 {
 public:
-  Crossing_filter(const Progressive_mesh& pm, const Surface_sides& sides,
-                  const std::vector<std::vector<Trace_point> >& traces)
-    : m_pm(pm), m_sides(sides), m_traces(traces), m_is_firm(traces.size(), false)
-  {}
+  Crossing_filter(const Progressive_mesh& pm, const Surface_sides& sides) : m_pm(pm), m_sides(sides) {}
 
-  // Whether a curve passes, of which these of the curves that were kept are crossed there and back.
+  // Whether a curve with this trace passes, of which these of the curves that were kept are crossed there and back.
   // O(g^2) for genus g, and the length of the curves that its class is composed of.
-  bool passes(Index i, const std::vector<Index>& crossed)
+  bool passes(Index i, const std::vector<Trace_point>& trace, const std::vector<Index>& crossed)
   {
+    m_is_firm.resize((std::max)(m_is_firm.size(), static_cast<std::size_t>(i) + 1), false);
     m_reduced = Homology_basis::Reduced();
     if(crossed.size() >= crossing_limit ||
        std::count_if(crossed.begin(), crossed.end(), [&](Index j) { return m_is_firm[j]; }) >= firm_crossing_limit)
       return false;
-    const Parting parting = m_sides.part(m_traces[i]);
+    const Parting parting = m_sides.part(trace);
     if(parting.is_separating())
       return true;
     m_reduced = m_basis.reduce(parting.homology_class);
     return !m_reduced.is_sum() || std::none_of(m_reduced.members.begin(), m_reduced.members.end(), [&](std::size_t j) {
       return std::find(crossed.begin(), crossed.end(), j) != crossed.end() ||
-             !odd_crossings(m_pm, {m_traces[j], m_traces[i]})[1].empty();
+             !odd_crossings(m_pm, {m_basis_traces.at(j), trace})[1].empty();
     });
   }
 
   // Keeps the curve that has just passed, and has this prominence.
-  void keep(Index i, double prominence)
+  void keep(Index i, const std::vector<Trace_point>& trace, double prominence)
   {
     m_is_firm[i] = prominence >= firm_prominence;
-    if(!m_reduced.is_sum())
-      m_basis.add(std::move(m_reduced), i);
+    if(m_reduced.is_sum())
+      return;
+    m_basis.add(std::move(m_reduced), i);
+    m_basis_traces.emplace(i, trace);
   }
 
 private:
   const Progressive_mesh& m_pm;
   const Surface_sides& m_sides;
-  const std::vector<std::vector<Trace_point> >& m_traces;
   std::vector<bool> m_is_firm; // by curve
+  std::unordered_map<std::size_t, std::vector<Trace_point> > m_basis_traces; // by curve
   Homology_basis m_basis;
   Homology_basis::Reduced m_reduced; // class of the curve that was asked about last
 };

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <queue>
 #include <vector>
 
@@ -18,10 +19,13 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Distances of vertices from a set of sources, the nearest vertex first, on the two sides of a curve that the fronts do
-// not cross: fast marching (Kimmel and Sethian 1998). Where the front comes through an edge so that it misses the third
-// corner of the face, the faces behind are unfolded as far as the corner that it hits. A vertex belongs to the side
-// that reaches it first.
+// Distances of vertices from a closed curve on its two sides, the nearest vertex first: fast marching (Kimmel and Sethian
+// 1998). The fronts do not cross the curve. Where a front comes through an edge so that it misses the third corner of
+// the face, the faces behind are unfolded as far as the corner that it hits.
+//
+// The two sides of a curve that does not separate meet. A vertex then belongs to the side that reaches it first, if both
+// are settled in the order of their distances; the other side still measures its distance there, but goes no further.
+// So both distances are known at all corners of the faces in which the sides meet.
 //
 // The arrays are made once for a mesh, and restarted in constant time.
 class Distance_front
@@ -29,10 +33,11 @@ class Distance_front
 public:
   // Linear in the size of the mesh.
   Distance_front(const Progressive_mesh& pm, const Edge_lengths& lengths)
-    : m_pm(pm), m_lengths(lengths), m_vertices(pm.number_of_vertex_ids()), m_barred(pm.number_of_face_ids(), 0)
-  {}
-
-  static constexpr unsigned char both_sides = 2;
+    : m_pm(pm), m_lengths(lengths), m_barred(pm.number_of_face_ids(), 0)
+  {
+    for(std::vector<Vertex>& side : m_vertices)
+      side.resize(pm.number_of_vertex_ids());
+  }
 
   // Forgets everything.
   void restart()
@@ -49,20 +54,17 @@ public:
   void bar(Index f) { m_barred[f] = m_sweep; }
   bool is_barred(Index f) const { return m_barred[f] == m_sweep; }
 
-  bool is_settled(Index v) const { return m_vertices[v].sweep == m_sweep && m_vertices[v].settled; }
   bool is_settled(Index v, std::size_t side) const
   {
-    return is_settled(v) && (m_vertices[v].side == side || m_vertices[v].side == both_sides);
+    const Vertex& x = m_vertices[side][v];
+    return x.sweep == m_sweep && x.settled;
   }
 
-  // whether the other side has reached a vertex earlier, so far
-  bool belongs_to_other(Index v, std::size_t side) const
-  {
-    return m_vertices[v].sweep == m_sweep && m_vertices[v].side == 1 - side;
-  }
+  // whether a vertex is settled on a side, and was not settled earlier on the other one; a source belongs to both
+  bool belongs_to(Index v, std::size_t side) const { return is_settled(v, side) && m_vertices[side][v].first; }
 
-  // of a settled vertex
-  double distance(Index v) const { return m_vertices[v].distance; }
+  // of a vertex settled on a side
+  double distance(Index v, std::size_t side) const { return m_vertices[side][v].distance; }
 
   // the distance up to which a side has been swept
   double reached(std::size_t side) const { return m_reached[side]; }
@@ -70,16 +72,17 @@ public:
   // Settles a vertex on both sides at distance 0.
   void settle_source(Index v)
   {
-    m_vertices[v] = {0, m_sweep, both_sides, true};
+    for(std::vector<Vertex>& side : m_vertices)
+      side[v] = {0, m_sweep, true, true};
   }
 
   // Notes that a vertex is no further than this from the sources on a side.
   void offer(Index v, double distance, std::size_t side)
   {
-    Vertex& x = m_vertices[v];
+    Vertex& x = m_vertices[side][v];
     if(x.sweep == m_sweep && (x.settled || x.distance <= distance))
       return;
-    x = {distance, m_sweep, static_cast<unsigned char>(side), false};
+    x = {distance, m_sweep, false, false};
     m_queue[side].push(Entry{distance, v});
   }
 
@@ -91,29 +94,43 @@ public:
         pass_from_source(h, side);
   }
 
-  // Settles the nearest vertex of a side that is not settled. Returns null_index if there is none.
-  Index settle_next(std::size_t side)
+  // The distance of the nearest vertex of a side that is not settled; infinity if there is none.
+  double next_distance(std::size_t side)
   {
     Queue& queue = m_queue[side];
     while(!queue.empty())
     {
-      const Entry e = queue.top();
+      const Entry& e = queue.top();
+      const Vertex& x = m_vertices[side][e.vertex];
+      if(!x.settled && x.distance == e.distance)
+        return e.distance;
       queue.pop();
-      Vertex& x = m_vertices[e.vertex];
-      if(x.settled || x.side != side || x.distance != e.distance)
-        continue;
-      // fast marching is not quite monotone, what follows relies on it
-      m_reached[side] = x.distance = (std::max)(x.distance, m_reached[side]);
-      x.settled = true;
-      const Index begin = m_pm.outgoing(e.vertex);
+    }
+    return (std::numeric_limits<double>::infinity)();
+  }
+
+  // Settles the nearest vertex of a side that is not settled. Returns null_index if there is none.
+  Index settle_next(std::size_t side)
+  {
+    if(next_distance(side) == (std::numeric_limits<double>::infinity)())
+      return null_index;
+    const Index v = m_queue[side].top().vertex;
+    m_queue[side].pop();
+    Vertex& x = m_vertices[side][v];
+    // fast marching is not quite monotone, what follows relies on it
+    m_reached[side] = x.distance = (std::max)(x.distance, m_reached[side]);
+    x.settled = true;
+    x.first = !is_settled(v, 1 - side);
+    if(x.first)
+    {
+      const Index begin = m_pm.outgoing(v);
       Index h = begin;
       do {
         pass_from_source(h, side);
         h = m_pm.ccw(h);
       } while(h != begin);
-      return e.vertex;
     }
-    return null_index;
+    return v;
   }
 
 private:
@@ -121,8 +138,8 @@ private:
   {
     double distance = 0;
     Index sweep = 0; // the one that the other members are of
-    unsigned char side = 0;
     bool settled = false;
+    bool first = false; // settled before the other side settled it
   };
 
   struct Entry
@@ -143,15 +160,15 @@ private:
   {
     if(is_barred(m_pm.face(h)))
       return;
-    const double distance = m_vertices[m_pm.source(h)].distance;
+    const double distance = m_vertices[side][m_pm.source(h)].distance;
     const Index last = m_pm.prev(h), u = m_pm.target(h), w = m_pm.source(last);
-    if(!is_settled(u))
+    if(!is_settled(u, side))
       offer(u, distance + m_lengths[h], side);
-    else if(is_settled(u, side))
+    else
       pass_edge(h, side);
-    if(!is_settled(w))
+    if(!is_settled(w, side))
       offer(w, distance + m_lengths[last], side);
-    else if(is_settled(w, side))
+    else
       pass_edge(last, side);
   }
 
@@ -159,10 +176,11 @@ private:
   // the first corner that one of them hits, through eight more faces at most.
   void pass_edge(Index h, std::size_t side)
   {
-    if(is_barred(m_pm.face(h)) || is_settled(m_pm.source(m_pm.prev(h))))
+    if(is_barred(m_pm.face(h)) || is_settled(m_pm.source(m_pm.prev(h)), side))
       return;
+    const std::vector<Vertex>& vertices = m_vertices[side];
     const Index p = m_pm.source(h), q = m_pm.target(h);
-    const double length = m_lengths[h], s = (m_vertices[q].distance - m_vertices[p].distance) / length;
+    const double length = m_lengths[h], s = (vertices[q].distance - vertices[p].distance) / length;
     if(!(std::abs(s) < 1))
       return;
     const Vector2 direction = {s, std::sqrt(1 - s * s)}; // of the rays; the edge runs along the x axis
@@ -178,8 +196,8 @@ private:
       if(foot >= 0 && foot <= length)
       {
         const Index corner = m_pm.source(m_pm.prev(h));
-        if(!is_settled(corner))
-          offer(corner, m_vertices[p].distance + dot(direction, apex), side);
+        if(!is_settled(corner, side))
+          offer(corner, vertices[p].distance + dot(direction, apex), side);
         return;
       }
       // where the corner is not obtuse the front comes to it through another edge
@@ -195,7 +213,7 @@ private:
 
   const Progressive_mesh& m_pm;
   const Edge_lengths& m_lengths;
-  std::vector<Vertex> m_vertices;
+  std::array<std::vector<Vertex>, 2> m_vertices; // by side
   std::vector<Index> m_barred; // the last sweep that a face was barred in
   std::array<Queue, 2> m_queue;
   std::array<double, 2> m_reached = {{0, 0}};

@@ -3,17 +3,15 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_DISTANCE_SWEEP_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_crossings.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Distance_front.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Front_start.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Level_lengths.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominence/Side_classes.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominence/Vertex_classes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <deque>
@@ -25,253 +23,188 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Sweeps from a curve to its two sides by the level sets of the distance to it: how long they are, and which other
-// curves have been swept over.
+// Sweeps from a closed curve to its two sides. What has been swept on a side up to a distance is bounded by the curve and
+// by closed curves that together are homologous to it: the level set of the distance, and, where the sides of a curve
+// that does not separate have met, the points that are as far from both.
 //
-// The distance is interpolated linearly in each face, so each level set is a set of closed polygons on the mesh, whose
-// length is exact but for rounding, whatever the error of the distances.
+// The distance is interpolated linearly in each face, so these are closed polygons on the mesh, whose length is exact
+// but for rounding, whatever the error of the distances.
 class Distance_sweep
 {
 public:
   // Linear in the size of the mesh.
   Distance_sweep(const Progressive_mesh& pm, const Edge_lengths& lengths)
-    : m_pm(pm), m_crossings(pm), m_front(pm, lengths), m_class(pm.number_of_vertex_ids())
+    : m_pm(pm), m_front(pm, lengths), m_is_crossed(pm.number_of_halfedge_ids(), 0),
+      m_is_passed(pm.number_of_halfedge_ids(), 0)
   {}
 
-  // Adds a curve, given by its trace, to those that later sweeps look for.
-  void add_curve(const std::vector<Trace_point>& trace) { m_crossings.add(crossings_beside_pivots(m_pm, trace)); }
-
-  // Looks which curves a curve crosses, and puts the sweep there.
-  void put(const std::vector<Trace_point>& trace)
+  // Starts at a simple closed curve. Its sides meet if it does not separate.
+  void start(const std::vector<Trace_point>& trace, double length, bool sides_meet)
   {
-    m_class.restart(m_crossings.number_of_curves());
-    m_crossed.clear();
-    m_other.resize(m_crossings.number_of_curves());
-    ++m_put;
-    classify_beside(crossings_beside_pivots(m_pm, trace));
-  }
-
-  // Starts at the curve where the sweep was put, once.
-  void start(const std::vector<Trace_point>& trace, double length)
-  {
+    ++m_sweep;
     m_scale = Level_scale(length);
+    m_sides_meet = sides_meet;
     m_front.restart();
-    m_without_class = 0;
-    m_covered.clear();
-    m_vertices.clear();
-    for(Side& s : m_sides)
-      s.restart();
-    for(const Trace_point& p : trace)
-      if(p.is_pivot())
-        m_vertices.push_back(p.pivot);
-    start_front(m_pm, trace, m_front, m_sides[0].start, m_sides[1].start);
-    for(Index v : m_vertices)
-      note_settled(v, Distance_front::both_sides);
-    for(Side& s : m_sides)
+    m_crossings = crossings_beside_pivots(m_pm, trace);
+    for(Index h : m_crossings)
     {
+      Index& mark = m_is_crossed[m_pm.edge(h)];
+      mark = mark == m_sweep ? 0 : m_sweep; // crossed twice, its ends are on the same side
+    }
+    for(Side& s : m_sides)
+      s.restart(length);
+    start_front(m_pm, trace, m_front, m_sides[0].start, m_sides[1].start);
+    for(Side& s : m_sides)
       for(Index f : s.start.faces)
         s.touched.emplace_back(f, 0.);
-      s.length = length;
-    }
+    for(const Trace_point& p : trace)
+      if(p.is_pivot())
+        m_sides[1].vertices.push_back(p.pivot); // it lies on the right of the crossings
   }
 
-  // Goes on until the next level set of a side is complete, and returns its length.
+  // Goes on until the next boundary on a side is complete, and returns its length. Both sides go on if they meet.
   double advance(std::size_t s)
   {
     Side& side = m_sides[s];
     while(!side.used_up && m_scale.level(side.level + 1) > complete(s))
     {
-      const Index v = m_front.settle_next(s);
+      const std::size_t next =
+          m_sides_meet && m_front.next_distance(1 - s) < m_front.next_distance(s) ? 1 - s : s;
+      const Index v = m_front.settle_next(next);
       if(v == null_index)
         side.used_up = true;
       else
-      {
-        m_vertices.push_back(v);
-        note_settled(v, s);
-      }
+        note_settled(v, next);
     }
     ++side.level;
-    side.pieces = side.lengths.lengths(side.level);
-    side.length = 0;
-    for(const std::pair<std::size_t, double>& piece : side.pieces)
-      side.length += piece.second;
-    return side.length;
+    return side.length = side.lengths.length(side.level);
   }
 
-  // whether the last level set of a side was behind the furthest point
+  // whether the last boundary of a side was behind the furthest point
   bool is_used_up(std::size_t s) const
   {
     return m_sides[s].used_up && m_scale.level(m_sides[s].level) > m_front.reached(s);
   }
 
-  // the curves that have been swept over as a whole, and that part what has been swept
-  template <class Function>
-  void for_each_covered(const Function& f) const
+  // how many levels of a side are complete
+  std::size_t level(std::size_t s) const { return m_sides[s].level; }
+
+  // the vertex that was settled last on a side; null_index if none was
+  Index last_vertex(std::size_t s) const { return m_sides[s].vertices.empty() ? null_index : m_sides[s].vertices.back(); }
+
+  // The boundary of what has been swept on a side up to a level that is complete, but for the start: the halfedges that
+  // each of its closed curves crosses, in order, from their face to the opposite one. The target of each is swept, or
+  // lies across the start. Linear in what has been swept.
+  std::vector<Strip> boundary(std::size_t s, std::size_t level)
   {
-    const double left = reached(0), right = reached(1);
-    for(Index c : m_covered)
+    ++m_boundary;
+    m_distance = m_scale.level(level);
+    std::vector<Strip> strips;
+    for(Index v : m_sides[s].vertices)
     {
-      const std::array<double, 2>& furthest = m_other[c].furthest;
-      if(furthest[0] <= left && furthest[1] <= right && m_class.is_consistent(c))
-        f(c);
+      if(!is_swept(v, s))
+        continue;
+      const Index begin = m_pm.outgoing(v);
+      Index h = begin;
+      do {
+        if(!is_crossed(h) && !is_swept(m_pm.target(h), s))
+          follow(h, s, strips);
+        h = m_pm.ccw(h);
+      } while(h != begin);
     }
+    for(Index crossing : m_crossings)
+    {
+      const Index h = s == 0 ? crossing : m_pm.opposite(crossing); // from the other side of the start
+      if(is_crossed(h) && !is_swept(m_pm.target(h), s))
+        follow(h, s, strips);
+    }
+    return strips;
   }
-
-  // whether a curve crosses the curve where the sweep was put, or touches it, or runs so close to it that there is no
-  // vertex between them
-  bool is_beside_start(Index curve) const { return m_other[curve].put == m_put && m_other[curve].is_beside_start; }
-
-  // The curves that cross the curve where the sweep was put, and cross it back again. Those that run beside it, or
-  // touch it, are no such; nor, on a surface with handles, are those that part no neighbourhood of it.
-  const std::vector<Index>& crossed_by_start() const { return m_crossed; }
-
-  // If the sweep stops at a curve that has been swept over, instead of going on behind it: the length of what else is
-  // left of the level sets. `s` is the side on which the start, swept, would become that curve. Linear in the number of
-  // classes that the level sets run through, up to a logarithm.
-  double rest(Index curve, std::size_t s) const
-  {
-    const Side &near = m_sides[s], &far = m_sides[1 - s];
-    return (std::max)(near.length - length_beyond(near, curve), 0.) + length_beyond(far, curve);
-  }
-
-  // the distance of the furthest point of a curve that has been swept over
-  double distance(Index curve) const { return (std::max)(m_other[curve].furthest[0], m_other[curve].furthest[1]); }
-
-  // the distance of the last level set of a side
-  double reached(std::size_t s) const { return m_scale.level(m_sides[s].level); }
-
-  // The vertices that have been reached, in no order.
-  const std::vector<Index>& vertices() const { return m_vertices; }
-
-  bool has_reached(Index v) const { return m_front.is_settled(v) && m_class.has(v); }
-
-  // of a vertex that has been reached: positive on side s
-  double signed_distance(Index v, std::size_t s) const
-  {
-    return m_front.is_settled(v, s) ? m_front.distance(v) : -m_front.distance(v);
-  }
-
-  // Whether a vertex that has been reached lies on the other side of a curve than where the sweep began.
-  bool is_beyond(Index v, Index curve) const { return m_class.classes().is_beyond(m_class[v], curve); }
-
-  // The halfedges that a curve crosses.
-  const std::vector<Index>& crossings(Index curve) const { return m_crossings.crossings(curve); }
 
 private:
   struct Side
   {
     Level_lengths lengths;
-    std::size_t level = 0;             // the last that is complete
-    double length = 0;                 // of its level set
-    std::vector<std::pair<std::size_t, double> > pieces; // of that: classes and lengths
-    bool used_up = false;              // every vertex that can be reached is settled
+    std::size_t level = 0;          // the last that is complete
+    double length = 0;              // of its boundary
+    bool used_up = false;           // every vertex that can be reached is settled
     Front_start start;
+    std::vector<Index> vertices;    // that belong to the side, in the order in which they were settled
     std::size_t number_settled = 0; // of the vertices beside the start, from the beginning of the list
-    std::deque<std::pair<Index, double> > touched; // faces and where the front was when it reached them
+    std::deque<std::pair<Index, double> > touched; // faces and where the front was when it reached a corner
 
-    void restart()
+    void restart(double length_of_start)
     {
       lengths.clear();
       level = 0;
-      pieces.clear();
+      length = length_of_start;
       used_up = false;
       start.clear();
+      vertices.clear();
       number_settled = 0;
       touched.clear();
     }
   };
 
-  // Another curve.
-  struct Other
-  {
-    std::size_t vertices_left;      // vertices beside it that are not settled
-    std::array<double, 2> furthest; // of those that are, on each side
-    bool is_beside_start;
-    std::size_t put = 0; // how often the sweep had been put somewhere when this was known
-  };
+  bool is_crossed(Index h) const { return m_is_crossed[m_pm.edge(h)] == m_sweep; }
 
-  // What is known of a curve since the sweep was put. Made when first asked for: most are far away.
-  Other& other(Index curve)
+  // Whether a vertex on this side has been swept up to m_distance. A pivot lies on the right side.
+  bool is_swept(Index v, std::size_t s) const
   {
-    Other& result = m_other[curve];
-    if(result.put != m_put)
-      result = {m_crossings.number_of_vertices(curve), {{0, 0}}, false, m_put};
-    return result;
+    return m_front.belongs_to(v, s) && m_front.distance(v, s) <= m_distance &&
+           (s == 1 || !m_front.belongs_to(v, 1) || m_front.distance(v, 1) > 0);
   }
 
-  // The length of those pieces of a level set that lie on the other side of a curve.
-  double length_beyond(const Side& side, Index curve) const
+  // Walks around a curve of the boundary, from a halfedge that leads out of what has been swept, or across the start to
+  // what has not. Does nothing if that was passed before.
+  void follow(Index h, std::size_t s, std::vector<Strip>& strips)
   {
-    double sum = 0;
-    for(const std::pair<std::size_t, double>& piece : side.pieces)
-      if(m_class.classes().is_beyond(static_cast<Index>(piece.first), curve))
-        sum += piece.second;
-    return sum;
+    if(m_is_passed[h] == m_boundary)
+      return;
+    strips.emplace_back();
+    do {
+      m_is_passed[h] = m_boundary;
+      strips.back().push_back(m_pm.opposite(h));
+      const Index next = m_pm.next(h);
+      const bool is_inside = is_crossed(next) || is_swept(m_pm.target(next), s);
+      h = m_pm.opposite(is_inside ? next : m_pm.prev(h));
+    } while(m_is_passed[h] != m_boundary);
   }
 
-  // The distance up to which the lengths of a side's level sets are complete.
+  // The distance up to which the boundaries of a side are complete.
   double complete(std::size_t s)
   {
     Side& side = m_sides[s];
     while(side.number_settled < side.start.vertices.size() &&
-          m_front.is_settled(side.start.vertices[side.number_settled]))
+          m_front.is_settled(side.start.vertices[side.number_settled], s))
       if(++side.number_settled == side.start.vertices.size())
         add_cut_faces(s);
     if(side.used_up)
       return (std::numeric_limits<double>::infinity)();
     if(side.number_settled < side.start.vertices.size())
       return 0;
-    while(!side.touched.empty() && is_finished(side.touched.front().first, s))
+    while(!side.touched.empty() && is_finished(side.touched.front().first))
       side.touched.pop_front();
     return side.touched.empty() ? m_front.reached(s) : side.touched.front().second;
   }
 
-  // Whether all corners of a face are settled, or one belongs to the other side.
-  bool is_finished(Index f, std::size_t s) const
+  // How many corners of a face are settled on a side, and how many belong to it.
+  std::pair<int, int> corners(Index f, std::size_t s) const
   {
-    bool all = true;
+    std::pair<int, int> result(0, 0);
     for(Index h = 3 * f; h < 3 * f + 3; ++h)
     {
-      if(m_front.belongs_to_other(m_pm.source(h), s))
-        return true;
-      all = all && m_front.is_settled(m_pm.source(h));
+      result.first += m_front.is_settled(m_pm.source(h), s);
+      result.second += m_front.belongs_to(m_pm.source(h), s);
     }
-    return all;
+    return result;
   }
 
-  // Classifies the vertices on both sides of the start. Class 0 is that of a vertex on its left.
-  void classify_beside(const std::vector<Index>& crossings)
+  // whether a face has been added to each side that one of its corners belongs to
+  bool is_finished(Index f) const
   {
-    m_class.set(m_pm.target(crossings[0]), 0);
-    for(std::size_t i = 0; i <= crossings.size(); ++i)
-    {
-      const Index h = crossings[i % crossings.size()];
-      const Index u = m_pm.source(h), v = m_pm.target(h);
-      if(m_class.has(v))
-        m_class.set_across(u, v, m_crossings.curves_at_edge(h));
-      else
-        m_class.set_across(v, u, m_crossings.curves_at_edge(h));
-    }
-    std::array<std::vector<Index>, 2> classes; // of the vertices on the left and on the right
-    for(Index h : crossings)
-    {
-      classes[0].push_back(m_class[m_pm.target(h)]);
-      classes[1].push_back(m_class[m_pm.source(h)]);
-    }
-    Side_classes::Curves beside(m_crossings.number_of_curves());
-    for(std::vector<Index>& c : classes)
-    {
-      std::sort(c.begin(), c.end());
-      c.erase(std::unique(c.begin(), c.end()), c.end());
-      for(Index k : c)
-        beside |= m_class.classes().curves(k);
-    }
-    for_each_curve(beside, [&](Index a) { other(a).is_beside_start = true; });
-    for_each_curve(m_class.classes().curves_between(classes[0]) & m_class.classes().curves_between(classes[1]),
-                   [&](Index a) {
-                     if(m_class.is_consistent(a))
-                       m_crossed.push_back(a);
-                   });
+    const std::pair<int, int> left = corners(f, 0), right = corners(f, 1);
+    return left.second == 3 || right.second == 3 || (left.first == 3 && right.first == 3);
   }
 
   // The pieces of the faces that the start cuts, once their corners are settled.
@@ -281,124 +214,67 @@ private:
     for(const Front_start::Piece& piece : side.start.pieces)
     {
       Level_lengths::Triangle t;
-      Index c = 0;
       for(std::size_t i = 0; i < 3; ++i)
-      {
-        const bool is_vertex = piece[i].vertex != null_index;
-        t[i] = {piece[i].point, is_vertex ? m_front.distance(piece[i].vertex) : 0};
-        if(is_vertex)
-          c = m_class[piece[i].vertex];
-      }
-      side.lengths.add(m_scale, t, c);
+        t[i] = {piece[i].point, piece[i].vertex != null_index ? m_front.distance(piece[i].vertex, s) : 0};
+      side.lengths.add(m_scale, t);
     }
   }
 
-  // What a vertex that has just been settled makes known.
+  // What a vertex that has just been settled on a side completes.
   void note_settled(Index v, std::size_t s)
   {
-    for(Index a : m_crossings.curves_at_vertex(v))
-    {
-      Other& swept = other(a);
-      for(std::size_t side = 0; side < 2; ++side)
-        if(s == side || s == Distance_front::both_sides)
-          swept.furthest[side] = (std::max)(swept.furthest[side], m_front.distance(v));
-      if(--swept.vertices_left == 0)
-        m_covered.insert(std::lower_bound(m_covered.begin(), m_covered.end(), a), a);
-    }
-    if(s == Distance_front::both_sides)
-      return;
-
-    classify(v, s);
-    Index h = m_pm.outgoing(v);
-    const Index begin = h;
+    if(m_front.belongs_to(v, s))
+      m_sides[s].vertices.push_back(v);
+    const Index begin = m_pm.outgoing(v);
+    Index h = begin;
     do {
       const Index f = m_pm.face(h);
       if(!m_front.is_barred(f))
       {
-        const bool u = m_front.is_settled(m_pm.target(h), s), w = m_front.is_settled(m_pm.source(m_pm.prev(h)), s);
-        if(u && w)
-          add_face(f, s);
-        else if(!u && !w)
-          m_sides[s].touched.emplace_back(f, m_front.distance(v));
+        const std::pair<int, int> here = corners(f, s);
+        if(here.second == 3)
+          m_sides[s].lengths.add(m_scale, triangle(f, s));
+        else if(here.first == 3 && corners(f, 1 - s) == std::make_pair(3, 3))
+          ; // the other side's alone
+        else if(here.first == 3 && corners(f, 1 - s).first == 3)
+          for(std::size_t side = 0; side < 2; ++side)
+            m_sides[side].lengths.add(m_scale, triangle(f, side), distances(f, 1 - side));
+        else
+          m_sides[s].touched.emplace_back(f, m_front.reached(s));
       }
       h = m_pm.ccw(h);
     } while(h != begin);
   }
 
-  // Classifies a vertex that has just been settled after a settled neighbour, and then those settled neighbours that
-  // had none when they were.
-  void classify(Index v, std::size_t s)
-  {
-    if(!m_class.has(v) && !classify_after_neighbour(v, s))
-    {
-      ++m_without_class;
-      return;
-    }
-    m_stack.assign(1, v);
-    while(m_without_class > 0 && !m_stack.empty())
-    {
-      const Index begin = m_pm.outgoing(m_stack.back());
-      m_stack.pop_back();
-      Index h = begin;
-      do {
-        const Index w = m_pm.target(h);
-        if(!m_class.has(w) && m_front.is_settled(w, s) && classify_after_neighbour(w, s))
-        {
-          m_stack.push_back(w);
-          --m_without_class;
-        }
-        h = m_pm.ccw(h);
-      } while(h != begin);
-    }
-  }
-
-  // False if no neighbour is settled and has a class.
-  bool classify_after_neighbour(Index v, std::size_t s)
-  {
-    const Index begin = m_pm.outgoing(v);
-    Index h = begin;
-    do {
-      const Index w = m_pm.target(h);
-      if(m_class.has(w) && m_front.is_settled(w, s))
-      {
-        m_class.set_across(v, w, m_crossings.curves_at_edge(h));
-        return true;
-      }
-      h = m_pm.ccw(h);
-    } while(h != begin);
-    return false;
-  }
-
-  // Adds a face whose corners are settled.
-  void add_face(Index f, std::size_t s)
+  // A face with the distances on a side.
+  Level_lengths::Triangle triangle(Index f, std::size_t s) const
   {
     Level_lengths::Triangle t;
-    Index c = 0;
     for(Index i = 0; i < 3; ++i)
     {
-      const Index h = 3 * f + i, v = m_pm.source(h), w = m_pm.target(h);
-      t[i] = {position(m_pm, v), m_front.distance(v)};
-      if(!m_class.has(v))
-        continue;
-      c = m_class[v];
-      if(m_class.has(w))
-        m_class.check_across(w, v, m_crossings.curves_at_edge(h));
+      const Index v = m_pm.source(3 * f + i);
+      t[i] = {position(m_pm, v), m_front.distance(v, s)};
     }
-    m_sides[s].lengths.add(m_scale, t, c);
+    return t;
+  }
+
+  std::array<double, 3> distances(Index f, std::size_t s) const
+  {
+    std::array<double, 3> result;
+    for(Index i = 0; i < 3; ++i)
+      result[i] = m_front.distance(m_pm.source(3 * f + i), s);
+    return result;
   }
 
   const Progressive_mesh& m_pm;
-  Curve_crossings m_crossings;
   Distance_front m_front;
-  Vertex_classes m_class; // of a vertex
-  std::vector<Other> m_other;
-  std::size_t m_put = 0;
-  std::vector<Index> m_covered; // in ascending order
-  std::vector<Index> m_crossed;
-  std::vector<Index> m_vertices; // that are settled
-  std::vector<Index> m_stack;
-  std::size_t m_without_class = 0; // settled vertices without a settled neighbour when they were, and still
   std::array<Side, 2> m_sides;
+  std::vector<Index> m_crossings;  // of the start, moved to its left at its pivots
+  std::vector<Index> m_is_crossed; // the last sweep whose start crossed an edge an odd number of times
+  std::vector<Index> m_is_passed;  // the last boundary that was followed across a halfedge
+  Index m_sweep = 0, m_boundary = 0;
+  double m_distance = 0; // up to which a boundary is asked for
+  bool m_sides_meet = false;
   Level_scale m_scale{1};
 };
 

@@ -84,11 +84,18 @@ inline void cut_face(const Progressive_mesh& pm, const Strand* begin, const Stra
   }
 }
 
+// A crossing is taken to be this share of its edge away from the ends, at least: where rounding puts it onto a vertex,
+// or behind it, the vertex would be on no side of the curve, or on the wrong one.
+constexpr double least_crossing_parameter = 1e-9;
+
 // Starts a front, which has been restarted, from a curve to both sides: settles the pivots, bars the faces that the
 // curve cuts, and offers distances to the vertices around. Linear in the number of these.
-inline void start_front(const Progressive_mesh& pm, const std::vector<Trace_point>& trace, Distance_front& front,
+inline void start_front(const Progressive_mesh& pm, std::vector<Trace_point> trace, Distance_front& front,
                         Front_start& left, Front_start& right)
 {
+  for(Trace_point& p : trace)
+    if(!p.is_pivot())
+      p.parameter = (std::min)((std::max)(p.parameter, least_crossing_parameter), 1 - least_crossing_parameter);
   const std::array<Front_start*, 2> sides = {{&left, &right}};
   for(const Trace_point& p : trace)
     if(p.is_pivot())

@@ -4,6 +4,8 @@
 
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -66,79 +68,122 @@ private:
   const Factors* m_first;
 };
 
-// Lengths of the level sets of a piecewise linear function, by the class that each triangle is in.
+// Lengths of the boundaries of the sublevel sets of a function that is linear in each triangle: of its level sets, and,
+// where another function ends the domain, of what they leave on that end.
 class Level_lengths
 {
 public:
-  typedef std::array<std::pair<Vector3, double>, 3> Triangle; // corners with their values
+  struct Corner
+  {
+    Vector3 point;
+    double value;
+  };
+  typedef std::array<Corner, 3> Triangle;
 
   // Forgets the lengths. What has been allocated is used again: sweeps are many and mostly small.
   void clear()
   {
-    for(std::vector<double>& lengths : m_lengths)
-      lengths.clear();
-    for(std::vector<std::size_t>& classes : m_classes)
-      classes.clear();
+    m_lengths.clear();
+    m_from.clear();
+    m_number_added = 0;
+    m_sum = 0;
   }
 
-  // The lengths of a level set in those classes in which it is longer than 0, in ascending order of the classes.
-  std::vector<std::pair<std::size_t, double> > lengths(std::size_t level) const
+  // The length at a level. Levels must be asked for in ascending order. Constant, amortised.
+  double length(std::size_t level)
   {
-    std::vector<std::pair<std::size_t, double> > result;
-    if(level >= m_classes.size())
-      return result;
-    for(std::size_t c : m_classes[level])
-      if(m_lengths[c][level] > 0)
-        result.emplace_back(c, m_lengths[c][level]);
-    std::sort(result.begin(), result.end());
-    return result;
+    for(; m_number_added <= level && m_number_added < m_from.size(); ++m_number_added)
+      m_sum += m_from[m_number_added];
+    return m_sum + (level < m_lengths.size() ? m_lengths[level] : 0);
   }
 
-  // Adds the pieces of the level sets in a triangle to their lengths in its class c. Constant but for the number of
-  // levels that the triangle spans.
-  void add(const Level_scale& scale, Triangle t, std::size_t c)
+  // Adds the pieces of the level sets in a triangle. Constant but for the number of levels that the triangle spans.
+  void add(const Level_scale& scale, Triangle t)
   {
-    const auto sort2 = [&](std::size_t i, std::size_t j) {
-      if(t[j].second < t[i].second)
-        std::swap(t[i], t[j]);
-    };
-    sort2(0, 1);
-    sort2(1, 2);
-    sort2(0, 1);
-    const double low = t[0].second, middle = t[1].second, high = t[2].second;
+    sort(t);
+    const double low = t[0].value, middle = t[1].value, high = t[2].value;
     const std::size_t begin = scale.first_above(low);
     if(high < scale.level(begin))
       return;
-    const Vector3 opposite = t[0].first + ((middle - low) / (high - low)) * (t[2].first - t[0].first);
-    const double longest = norm(t[1].first - opposite);
-    if(m_lengths.size() <= c)
-      m_lengths.resize(c + 1);
-    std::vector<double>& lengths = m_lengths[c];
+    const Vector3 opposite = t[0].point + ((middle - low) / (high - low)) * (t[2].point - t[0].point);
+    const double longest = norm(t[1].point - opposite);
     for(std::size_t k = begin;; ++k)
     {
       const double d = scale.level(k);
       if(d > high)
         return;
-      if(lengths.size() <= k)
-        lengths.resize(k + 1, unset);
-      if(lengths[k] == unset)
-      {
-        lengths[k] = 0;
-        if(m_classes.size() <= k)
-          m_classes.resize(k + 1);
-        m_classes[k].push_back(c);
-      }
-      lengths[k] += longest * (d < middle ? (d - low) / (middle - low)
-                               : high > middle ? (high - d) / (high - middle)
-                                               : 1);
+      at(m_lengths, k) += longest * (d < middle ? (d - low) / (middle - low)
+                                 : high > middle ? (high - d) / (high - middle)
+                                                 : 1);
     }
   }
 
-private:
-  static constexpr double unset = -1;
+  // The same where the domain is the part of the triangle in which the function is not greater than another one, which
+  // has these values at its corners: the level sets in that part, and the piece of its end that lies below each level.
+  void add(const Level_scale& scale, const Triangle& t, const std::array<double, 3>& others)
+  {
+    // the part is a triangle or a quadrilateral; its corners in order, the end between the first and the last
+    std::array<Corner, 4> part;
+    std::size_t n = 0;
+    const auto inside = [&](std::size_t i) { return t[i % 3].value <= others[i % 3]; };
+    std::size_t first = 0; // inside, after one that is not
+    while(first < 3 && !(inside(first) && !inside(first + 2)))
+      ++first;
+    if(first == 3)
+    {
+      if(inside(0))
+        add(scale, t);
+      return;
+    }
+    const auto end_on_edge = [&](std::size_t i, std::size_t j) {
+      const double a = others[i] - t[i].value, b = others[j] - t[j].value, s = a / (a - b);
+      return Corner{t[i].point + s * (t[j].point - t[i].point), t[i].value + s * (t[j].value - t[i].value)};
+    };
+    part[n++] = end_on_edge(first, (first + 2) % 3);
+    part[n++] = t[first];
+    std::size_t last = first;
+    if(inside(first + 1))
+      part[n++] = t[last = (first + 1) % 3];
+    part[n++] = end_on_edge(last, (last + 1) % 3);
+    for(std::size_t i = 2; i < n; ++i)
+      add(scale, Triangle{{part[0], part[i - 1], part[i]}});
+    add_end(scale, part[0], part[n - 1]);
+  }
 
-  std::vector<std::vector<double> > m_lengths;      // of a class, of a level
-  std::vector<std::vector<std::size_t> > m_classes; // of a level, those whose length is set
+private:
+  static void sort(Triangle& t)
+  {
+    const auto sort2 = [&](std::size_t i, std::size_t j) {
+      if(t[j].value < t[i].value)
+        std::swap(t[i], t[j]);
+    };
+    sort2(0, 1);
+    sort2(1, 2);
+    sort2(0, 1);
+  }
+
+  static double& at(std::vector<double>& values, std::size_t k)
+  {
+    if(values.size() <= k)
+      values.resize(k + 1, 0);
+    return values[k];
+  }
+
+  // A segment of the end of the domain: at each level as much of it as lies below.
+  void add_end(const Level_scale& scale, const Corner& a, const Corner& b)
+  {
+    const double low = (std::min)(a.value, b.value), high = (std::max)(a.value, b.value), length = norm(b.point - a.point);
+    std::size_t k = scale.first_above(low);
+    for(; scale.level(k) < high; ++k)
+      at(m_lengths, k) += length * (scale.level(k) - low) / (high - low);
+    CGAL_assertion(k >= m_number_added);
+    at(m_from, k) += length;
+  }
+
+  std::vector<double> m_lengths; // of the level sets, by level
+  std::vector<double> m_from;    // of what stays from a level on
+  std::size_t m_number_added = 0; // of the levels of the latter that are in the sum
+  double m_sum = 0;
 };
 
 } // namespace internal

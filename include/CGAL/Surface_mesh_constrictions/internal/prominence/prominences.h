@@ -3,28 +3,20 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_PROMINENCES_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/Strand.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominence/Crossing_filter.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Level_copy.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
-#include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
-#include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightening_basins.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Group.h>
+
+#include <CGAL/for_each.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <deque>
 #include <iterator>
-#include <limits>
-#include <numeric>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -32,161 +24,72 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// A curve that is less prominent is not looked for by sweeps from longer ones: they slide to the same place, or nearly.
-// On a tube most closed geodesics are such, and each that is looked for costs time in all later sweeps.
-constexpr double negligible_prominence = 0.01;
+// A simple closed geodesic, and whether it separates its component of the surface.
+struct Measured_curve
+{
+  std::vector<Arc> arcs;
+  std::vector<Trace_point> trace;
+  double length;
+  bool separates;
+};
 
-// That of a curve that is not measured because of those that it crosses.
-constexpr double no_prominence = -1;
-
-// A barrier relative to the curve's length, less one, and what else the search found.
+// A barrier relative to the length of its curve, less one, and what lies behind it.
 struct Prominence
 {
   double value;
-  Index dominated_by;         // or null_index
-  std::vector<Index> crosses; // of the curves known when it was measured, there and back
+  Barrier_end end;
+  std::vector<Arc> arcs; // of the shorter curve, if `end` is CURVE
+  Strip strip;           // of a closed curve that shortens to it
+  Index vertex;          // over which the curve slides off, if `end` is POINT
 };
 
-inline double length(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
+// The prominence of one curve, up to a greatest value.
+inline Prominence prominence(Barrier_search& search, const Measured_curve& curve, double greatest)
 {
-  double sum = 0;
-  for(std::size_t i = 0; i < trace.size(); ++i)
-    sum += norm(position(pm, trace[(i + 1) % trace.size()]) - position(pm, trace[i]));
-  return sum;
-}
-
-// The indices of lengths, the least first.
-inline std::vector<Index> by_length(const std::vector<double>& lengths)
-{
-  std::vector<Index> order(lengths.size());
-  std::iota(order.begin(), order.end(), Index(0));
-  std::stable_sort(order.begin(), order.end(), [&lengths](Index a, Index b) { return lengths[a] < lengths[b]; });
-  return order;
-}
-
-// Prominences of those closed geodesics for which `asked` is set, among each other; nothing is written for the others,
-// which are looked for when it comes to crossings, but dominate none. If the sides of the surface are given, those that
-// a `Crossing_filter` does not let pass get none. In the order of the curves.
-inline void add_prominences(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces,
-                            const std::vector<bool>& asked, const Surface_sides* filtering_sides,
-                            std::vector<Prominence>& result)
-{
-  std::vector<double> lengths;
-  for(const std::vector<Trace_point>& t : traces)
-    lengths.push_back(length(pm, t));
-  std::vector<Index> known;
-  Barrier_search search(pm);
-  const auto add = [&](Index i, double length) {
-    search.add_curve(traces[i], length);
-    known.push_back(i);
-  };
-  for(Index i = 0; i < traces.size(); ++i)
-    if(!asked[i])
-      add(i, (std::numeric_limits<double>::infinity)());
-  std::optional<Crossing_filter> filter;
-  if(filtering_sides != nullptr)
-    filter.emplace(pm, *filtering_sides, traces);
-  for(Index i : by_length(lengths))
-  {
-    if(!asked[i])
-      continue;
-    std::vector<Index> crosses, shorter;
-    for(Index a : search.crossed_by(traces[i]))
-      crosses.push_back(known[a]);
-    std::copy_if(crosses.begin(), crosses.end(), std::back_inserter(shorter),
-                 [&](Index a) { return lengths[a] <= lengths[i]; });
-    if(filter && !filter->passes(i, shorter))
-    {
-      result[i] = {no_prominence, null_index, {}};
-      continue;
-    }
-    const Barrier b = search.search(traces[i], lengths[i]);
-    result[i] = {b.length / lengths[i] - 1, b.dominating == null_index ? null_index : known[b.dominating],
-                 std::move(crosses)};
-    if(result[i].value < negligible_prominence)
-      continue;
-    add(i, lengths[i]);
-    if(filter)
-      filter->keep(i, result[i].value);
-  }
-}
-
-// Prominences of closed geodesics among each other, in their order, see `add_prominences()`.
-inline std::vector<Prominence> prominences(const Progressive_mesh& pm,
-                                           const std::vector<std::vector<Trace_point> >& traces,
-                                           const Surface_sides* filtering_sides)
-{
-  std::vector<Prominence> result(traces.size());
-  add_prominences(pm, traces, std::vector<bool>(traces.size(), true), filtering_sides, result);
+  Barrier b = search.search(curve.arcs, curve.trace, curve.separates, (1 + greatest) * curve.length);
+  Prominence result = {b.length / curve.length - 1, b.end, {}, std::move(b.strip), b.vertex};
+  if(b.end == Barrier_end::CURVE)
+    result.arcs = search.tightener().arcs(b.curve);
   return result;
 }
 
-// A curve is looked for on a coarse level by a closed geodesic of it that is no more than this longer or shorter.
-constexpr double coarse_length_tolerance = 0.1;
-
-// Prominences of closed geodesics of T^0 among each other, in their order. What lies between them is measured on a
-// coarse level, of those that are there: where tightening leads to a simple closed geodesic of about the same length.
-// Curves that are the same there have no barrier between them: the shortest dominates the others. Those that are not
-// there are measured on T^0, among each other.
-inline std::vector<Prominence> prominences(const Progressive_mesh& pm, const Level_copy& coarse,
-                                           const std::vector<std::vector<Trace_point> >& traces,
-                                           const Surface_sides* filtering_sides)
+// Measures the prominences of curves of a surface, several at a time. Each depends on the surface and its curve alone.
+class Prominence_meter
 {
-  std::vector<Prominence> result(traces.size());
-  std::vector<double> lengths;
-  for(const std::vector<Trace_point>& t : traces)
-    lengths.push_back(length(pm, t));
+public:
+  // Linear in the size of the mesh.
+  explicit Prominence_meter(const Progressive_mesh& pm) : m_pm(pm), m_lengths(pm), m_angles(pm) {}
 
-  const Progressive_mesh& surface = coarse.surface();
-  Curve_network network(surface, false);
-  const Corner_angles angles(surface);
-  Tightener tightener(network, Length_unit(surface), &angles);
-  Tightening_basins basins(network, tightener);
-  std::vector<std::vector<Trace_point> > on_coarse;
-  std::vector<Index> curves; // those that are there
-  std::unordered_map<Index, Index> first_in_network; // of those, by what they are there
-  std::vector<bool> is_missing(traces.size(), false);
-  for(Index i : by_length(lengths))
+  // Of curves, in their order, up to a greatest value. Cost: that of `Barrier_search::search()` for each.
+  template <class ConcurrencyTag>
+  std::vector<Prominence> measure(const std::vector<Measured_curve>& curves, double greatest)
   {
-    const std::vector<Index> path = coarse.path(vertices_passed(pm, traces[i]));
-    const Index end = path.size() < 3 ? null_index : basins.tighten(network.add_curve(i, path));
-    const auto known = end == null_index ? first_in_network.end() : first_in_network.find(end);
-    if(known != first_in_network.end())
-    {
-      result[i] = {0, known->second, {}};
-      continue;
-    }
-    if(end != null_index && std::abs(network.length(end) / lengths[i] - 1) <= coarse_length_tolerance)
-    {
-      std::vector<Trace_point> points = trace(surface, arcs_of_curve(network, end));
-      if(is_simple(surface, points))
-      {
-        first_in_network.emplace(end, i);
-        curves.push_back(i);
-        on_coarse.push_back(std::move(points));
-        continue;
-      }
-    }
-    is_missing[i] = true;
+    // a search takes memory in proportion to the mesh, and time to make, so they are few, and kept
+    auto groups = make_groups<std::vector<Prominence> >(
+        curves.size(), (std::max)((curves.size() + most_searches - 1) / most_searches, least_group_size));
+    m_searches.resize((std::max)(m_searches.size(), groups.size()));
+    CGAL::for_each<ConcurrencyTag>(groups, [&](Group<std::vector<Prominence> >& group) {
+      std::optional<Barrier_search>& search = m_searches[static_cast<std::size_t>(&group - groups.data())];
+      if(!search)
+        search.emplace(m_pm, m_lengths, m_angles);
+      for(std::size_t i = group.begin; i < group.end; ++i)
+        group.result.push_back(prominence(*search, curves[i], greatest));
+      return true;
+    });
+    std::vector<Prominence> result;
+    for(Group<std::vector<Prominence> >& group : groups)
+      std::move(group.result.begin(), group.result.end(), std::back_inserter(result));
+    return result;
   }
 
-  std::optional<Surface_sides> sides_of_coarse;
-  if(filtering_sides != nullptr)
-    sides_of_coarse.emplace(surface);
-  std::vector<Prominence> of_coarse =
-      prominences(surface, on_coarse, sides_of_coarse ? &*sides_of_coarse : nullptr);
-  for(std::size_t i = 0; i < curves.size(); ++i)
-  {
-    Prominence& p = result[curves[i]] = std::move(of_coarse[i]);
-    if(p.dominated_by != null_index)
-      p.dominated_by = curves[p.dominated_by];
-    for(Index& a : p.crosses)
-      a = curves[a];
-  }
-  if(std::find(is_missing.begin(), is_missing.end(), true) != is_missing.end())
-    add_prominences(pm, traces, is_missing, filtering_sides, result);
-  return result;
-}
+private:
+  static constexpr std::size_t most_searches = 4, least_group_size = 16;
+
+  const Progressive_mesh& m_pm;
+  Edge_lengths m_lengths;
+  Corner_angles m_angles;
+  std::deque<std::optional<Barrier_search> > m_searches;
+};
 
 } // namespace internal
 } // namespace Surface_mesh_constrictions

@@ -15,7 +15,8 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // The first `number` elements of a sequence of constrictions in another order. Places of constrictions in the sequence
-// are translated; for one that is left out stands the first one that is not, on the way along dominated_by().
+// are translated; for one that is left out stands the first one that is not, on the way along dominated_by(), or else
+// the vertex where that ends.
 template <class TriangleMesh>
 std::vector<Constriction<TriangleMesh> > reordered(const std::vector<Constriction<TriangleMesh> >& given,
                                                   const std::vector<std::size_t>& order, std::size_t number)
@@ -37,7 +38,11 @@ std::vector<Constriction<TriangleMesh> > reordered(const std::vector<Constrictio
   {
     typename Constriction<TriangleMesh>::Data data = given[order[i]].data();
     while(data.dominated_by && !place[*data.dominated_by])
-      data.dominated_by = given[*data.dominated_by].dominated_by();
+    {
+      const Constriction<TriangleMesh>& next = given[*data.dominated_by];
+      data.slides_off = next.slides_off();
+      data.dominated_by = next.dominated_by();
+    }
     if(data.dominated_by)
       data.dominated_by = place[*data.dominated_by];
     translate(data.crosses);

@@ -30,9 +30,11 @@ public:
   {
     m_ends.resize(static_cast<std::size_t>(c) + 1, null_index);
     Index known = null_index;
+    m_pivots.resize(m_ends.size(), null_index);
     const auto pass = [&](Index curve) {
       if(m_network.is_empty(curve))
         return true;
+      m_pivots[c] = m_network.arc(m_network.curve(curve).first).from;
       if((m_network.curve(curve).hash & 7u) != 0)
         return false;
       const auto passed = m_passed.emplace(m_network.curve(curve).hash, curve);
@@ -44,20 +46,29 @@ public:
       m_tightener.enqueue_all(c);
       m_tightener.run(pass);
     }
+    m_last_pivot = m_pivots[c];
     if(m_network.is_empty(c))
       return null_index;
     if(known == null_index || known == c)
       known = m_passed.emplace(m_network.curve(c).hash, c).first->second;
     m_ends[c] = known == c ? c : m_ends[known];
     if(m_ends[c] == null_index)
+    {
+      m_last_pivot = m_pivots[c] = m_pivots[known];
       m_network.remove(c);
+    }
     return m_ends[c];
   }
+
+  // Of the last curve, if it degenerated: a vertex that it passed through just before.
+  Index last_pivot() const { return m_last_pivot; }
 
 private:
   Curve_network& m_network;
   Tightener& m_tightener;
   std::vector<Index> m_ends;                         // by curve
+  std::vector<Index> m_pivots;                       // by curve: one that it has passed through
+  Index m_last_pivot = null_index;
   std::unordered_map<std::uint64_t, Index> m_passed; // the first curve that was ever equal to one of that hash
 };
 

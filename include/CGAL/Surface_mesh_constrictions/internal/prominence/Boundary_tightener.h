@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_BOUNDARY_TIGHTENER_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_BOUNDARY_TIGHTENER_H
+
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Distinct_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Strand.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/Closed_strip.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/Flat_band.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/String_puller.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightening_basins.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Lengths that differ by less than this share are equal: they are known no better.
+constexpr double equal_length_tolerance = 1e-9;
+
+// What the boundary of a swept region is tightened to.
+struct Tightened_boundary
+{
+  double length = 0;          // of all its curves
+  Index longest = null_index; // of these, or null_index if all shorten to points
+  bool is_simple = true;      // whether all of them are
+  Strip strip;                // from which that came
+  Index vertex = null_index;  // where the last one did that
+};
+
+// Tells on which side of a pass a closed curve lies: tightens it, and keeps each closed geodesic that comes up once.
+class Boundary_tightener
+{
+public:
+  // `angles` of the surface. Linear in the size of the mesh.
+  Boundary_tightener(const Progressive_mesh& pm, const Corner_angles& angles)
+    : m_network(pm, false), m_tightener(m_network, Length_unit(pm), &angles),
+      m_basins(m_network, m_tightener), m_distinct(m_network)
+  {}
+
+  // Enters a closed geodesic. Returns its number, which is that of an equal one if that is known.
+  Index enter(std::vector<Arc> arcs)
+  {
+    const Index c = m_network.add_curve(0);
+    m_network.set_arcs(c, arcs);
+    return settled(c);
+  }
+
+  // The number of the closed geodesic that a closed path of edges is tightened to; null_index if it shortens to a point.
+  Index tighten(const std::vector<Index>& path) { return end(m_network.add_curve(0, path)); }
+
+  // The curve of a number.
+  std::vector<Arc> arcs(Index c) const { return arcs_of_curve(m_network, c); }
+  double length(Index c) const { return m_length[c]; }
+  bool is_simple(Index c) const { return m_is_simple[c]; }
+
+  // Of two curves of equal length the one that stands for both.
+  bool precedes(Index c, Index d) const { return key(c) < key(d); }
+
+  // Tightens closed curves without pivots, given by what they cross, of this length in total; stops where the results
+  // are longer together than the limit. Each is first pulled tight in its strip, which shortens it steadily: whatever
+  // it is tightened to, it gets there without getting longer.
+  // Cost: linear in the strips, plus that of tightening each until it is what another one was on its way.
+  Tightened_boundary tighten(const std::vector<Strip>& strips, double length, double limit)
+  {
+    Tightened_boundary result;
+    for(const Strip& given : strips)
+    {
+      std::vector<Arc> arcs;
+      const Closed_strip strip(m_network.surface(), given);
+      if(!strip.is_degenerate())
+        arcs = shortest_loop(strip, length);
+      if(arcs.empty())
+      {
+        result.vertex = m_network.surface().target(given.front());
+        continue;
+      }
+      const Index c = m_network.add_curve(0);
+      m_network.set_arcs(c, arcs);
+      const Index end = this->end(c);
+      if(end == null_index)
+      {
+        result.vertex = m_basins.last_pivot();
+        continue;
+      }
+      result.length += m_length[end];
+      result.is_simple = result.is_simple && m_is_simple[end];
+      if(result.longest == null_index || m_length[end] > m_length[result.longest])
+      {
+        result.longest = end;
+        result.strip = given;
+      }
+      if(result.length > limit)
+        break;
+    }
+    return result;
+  }
+
+private:
+  // The shortest curve of a closed strip that holds one of no more than this length; no arcs if it is a point.
+  std::vector<Arc> shortest_loop(const Closed_strip& strip, double length)
+  {
+    String_puller& puller = m_tightener.puller();
+    std::vector<Arc> best = strip.shortest_loop(strip.foremost_corner(strip.inner_side()), puller);
+    if(length_of(best) <= length * (1 + equal_length_tolerance))
+      return best;
+    for(const Closed_strip::Corner& corner : strip.corners())
+    {
+      std::vector<Arc> arcs = strip.shortest_loop(corner, puller);
+      if(length_of(arcs) < length_of(best))
+        best = std::move(arcs);
+    }
+    return best;
+  }
+
+  static double length_of(const std::vector<Arc>& arcs)
+  {
+    double sum = 0;
+    for(const Arc& a : arcs)
+      sum += a.length;
+    return sum;
+  }
+
+  // The number of what the newest curve of the network is tightened to; null_index if it shortens to a point.
+  Index end(Index c)
+  {
+    const Index end = m_basins.tighten(c);
+    if(end == null_index)
+      return null_index;
+    if(end != c)
+      m_network.remove(c);
+    m_settled.resize(m_network.number_of_curve_ids(), unknown);
+    if(m_settled[end] == unknown)
+    {
+      settle_flat_band(m_network, end, m_tightener);
+      m_settled[end] = m_network.is_empty(end) ? null_index : settled(end);
+    }
+    return m_settled[end];
+  }
+
+  // The number of a curve that is settled.
+  Index settled(Index c)
+  {
+    const Index known = m_distinct.insert(c);
+    m_length.resize(m_network.number_of_curve_ids(), 0);
+    m_is_simple.resize(m_network.number_of_curve_ids(), false);
+    if(known == c)
+    {
+      m_length[c] = m_network.length(c);
+      m_is_simple[c] = internal::is_simple(m_network.surface(), trace(m_network.surface(), arcs_of_curve(m_network, c)));
+    }
+    return known;
+  }
+
+  std::tuple<Index, std::uint64_t> key(Index c) const
+  {
+    Index least = null_index;
+    m_network.for_each_arc(c, [&](Index a) { least = (std::min)(least, m_network.arc(a).from); });
+    return {least, m_network.curve(c).hash};
+  }
+
+  static constexpr Index unknown = null_index - 1;
+
+  Curve_network m_network;
+  Tightener m_tightener;
+  Tightening_basins m_basins;
+  Distinct_curves m_distinct;
+  std::vector<Index> m_settled; // by curve that a tightening ended as
+  std::vector<double> m_length; // by curve
+  std::vector<bool> m_is_simple;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_BOUNDARY_TIGHTENER_H

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_CROSSED_CURVES_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_CROSSED_CURVES_H
+
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_crossings.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Vertex_classes.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// For a growing set of simple closed geodesics: which of them another one crosses there and back.
+class Crossed_curves
+{
+public:
+  // Linear in the size of the mesh.
+  explicit Crossed_curves(const Progressive_mesh& pm)
+    : m_pm(pm), m_crossings(pm), m_class(pm.number_of_vertex_ids())
+  {}
+
+  // Adds a curve. Curves are numbered in this order.
+  void add(const std::vector<Trace_point>& trace) { m_crossings.add(crossings_beside_pivots(m_pm, trace)); }
+
+  // The curves that have been added which a curve crosses, and crosses back again. Those that run beside it, or touch
+  // it, are no such; nor, on a surface with handles, are those that part no neighbourhood of it. Linear, up to a
+  // logarithm, in the edges that it crosses and the curves that cross those.
+  std::vector<Index> crossed_by(const std::vector<Trace_point>& trace)
+  {
+    const std::vector<Index> crossings = crossings_beside_pivots(m_pm, trace);
+    m_class.restart(m_crossings.number_of_curves());
+    m_class.set(m_pm.target(crossings[0]), 0);
+    for(std::size_t i = 0; i <= crossings.size(); ++i)
+    {
+      const Index h = crossings[i % crossings.size()];
+      const Index u = m_pm.source(h), v = m_pm.target(h);
+      if(m_class.has(v))
+        m_class.set_across(u, v, m_crossings.curves_at_edge(h));
+      else
+        m_class.set_across(v, u, m_crossings.curves_at_edge(h));
+    }
+    std::array<std::vector<Index>, 2> classes; // of the vertices on the left and on the right
+    for(Index h : crossings)
+    {
+      classes[0].push_back(m_class[m_pm.target(h)]);
+      classes[1].push_back(m_class[m_pm.source(h)]);
+    }
+    for(std::vector<Index>& c : classes)
+    {
+      std::sort(c.begin(), c.end());
+      c.erase(std::unique(c.begin(), c.end()), c.end());
+    }
+    std::vector<Index> result;
+    for_each_curve(m_class.classes().curves_between(classes[0]) & m_class.classes().curves_between(classes[1]),
+                   [&](Index a) {
+                     if(m_class.is_consistent(a))
+                       result.push_back(a);
+                   });
+    return result;
+  }
+
+private:
+  const Progressive_mesh& m_pm;
+  Curve_crossings m_crossings;
+  Vertex_classes m_class; // of a vertex beside the curve that was asked about last
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_CROSSED_CURVES_H
