@@ -254,7 +254,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       continue;
     }
     constrictions.push_back(std::move(made));
-    traces.push_back(internal::trace(pm, internal::arcs_of_curve(network, f.curve)));
+    traces.push_back(internal::accurate_trace(pm, internal::arcs_of_curve(network, f.curve)));
   }
   visitor.on_stage_end(Detection_stage::CERTIFICATION);
 
