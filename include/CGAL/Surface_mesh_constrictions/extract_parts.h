@@ -118,7 +118,7 @@ OutputIterator extract_parts(const TriangleMesh& tm, EdgeIsConstrainedMap edge_i
   std::vector<typename Closer::Opened> opened(n, {tm, edge_is_constrained_map, vpm});
   for(std::size_t p = 0; p < n; ++p)
     for(auto f : faces_of_part[p])
-      opened[p].add(f);
+      opened[p].add_face(f);
   std::vector<std::vector<typename Closer::Cap>> caps_of_part(n);
   if(with_caps)
   {

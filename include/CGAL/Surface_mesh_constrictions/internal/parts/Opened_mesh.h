@@ -30,7 +30,7 @@ public:
     : m_tm(tm), m_marks(marks), m_vpm(vpm)
   {}
 
-  void add(face_descriptor f)
+  void add_face(face_descriptor f)
   {
     std::array<std::size_t, 3> triangle;
     halfedge_descriptor h = halfedge(f, m_tm);
@@ -42,7 +42,7 @@ public:
     m_triangles.push_back(triangle);
   }
 
-  void add(const std::array<std::size_t, 3>& triangle) { m_triangles.push_back(triangle); }
+  void add_triangle(const std::array<std::size_t, 3>& triangle) { m_triangles.push_back(triangle); }
 
   std::size_t add_vertex(const Point& p)
   {

@@ -186,12 +186,12 @@ private:
     Opened &part = m_parts[m_caps[i].part], &other = m_parts[m_caps[twin].part];
     begin_cap(i);
     for(const auto& t : triangles)
-      part.add({{part.vertex(border[t[2]]), part.vertex(border[t[1]]), part.vertex(border[t[0]])}});
+      part.add_triangle({{part.vertex(border[t[2]]), part.vertex(border[t[1]]), part.vertex(border[t[0]])}});
     end_cap(i);
     begin_cap(twin);
     for(const auto& t : triangles)
-      other.add({{other.vertex(opposite_of_next(t[0])), other.vertex(opposite_of_next(t[1])),
-                  other.vertex(opposite_of_next(t[2]))}});
+      other.add_triangle({{other.vertex(opposite_of_next(t[0])), other.vertex(opposite_of_next(t[1])),
+                           other.vertex(opposite_of_next(t[2]))}});
     end_cap(twin);
   }
 
@@ -237,7 +237,7 @@ private:
     const std::size_t centre = part.add_vertex(apex);
     begin_cap(i);
     for(halfedge_descriptor h : m_caps[i].border)
-      part.add({{part.vertex(h), corner_at_source(m_caps[i].part, h), centre}});
+      part.add_triangle({{part.vertex(h), corner_at_source(m_caps[i].part, h), centre}});
     end_cap(i);
   }
 
