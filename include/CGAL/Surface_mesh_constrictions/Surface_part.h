@@ -17,9 +17,9 @@ struct Surface_part
   /// in the square of the unit of the mesh's coordinates; of crossed faces the pieces count that lie in the part
   double area;
 
-  /// signed: positive if the normals point out. Each boundary curve is closed by the cone from the curve to its centre
-  /// of mass. Where curves do not touch each other, the cones on the two sides of a curve cancel, so that volumes of
-  /// parts add up.
+  /// signed: positive if the normals point out, negative if the part encloses what is outside of the solid, as the wall
+  /// of a pocket. Each boundary curve is closed by the cone from the curve to its centre of mass, or to the common one
+  /// of all curves that touch each other. The cones on the two sides of a curve cancel, so that volumes of parts add up.
   double volume;
 
   std::size_t genus;                ///< after its boundary curves have been closed by discs

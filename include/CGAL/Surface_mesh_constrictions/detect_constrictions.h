@@ -252,7 +252,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
         its_seeds.push_back(seeds[s]);
     statistics.merged += its_seeds.size() - 1;
     constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width, f.certificate));
-    traces.push_back(internal::trace(pm, internal::arcs_of_curve(network, f.curve)));
+    traces.push_back(internal::accurate_trace(pm, internal::arcs_of_curve(network, f.curve)));
   }
   internal::set_prominences(pm, imported, traces, hierarchy.entries(found), constrictions);
   select_by_prominence(constrictions, std::back_inserter(selected), np);

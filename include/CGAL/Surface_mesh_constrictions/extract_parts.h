@@ -2,7 +2,9 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_EXTRACT_PARTS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_EXTRACT_PARTS_H
 
-#include <CGAL/Surface_mesh_constrictions/internal/parts/fill_hole.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/Opened_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/Part_closer.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/intersecting_caps.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -17,86 +19,46 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
-namespace internal {
 
-// The triangles of a mesh opened along marked edges: a vertex there becomes one for each fan of faces between two of
-// them.
-template <class TriangleMesh, class EdgeIsConstrainedMap>
-class Opened_mesh
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// A cap that `extract_parts()` closes a part with.
+template <class TriangleMesh>
+struct Part_cap
 {
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor; ///< of the mesh
 
-public:
-  Opened_mesh(const TriangleMesh& tm, EdgeIsConstrainedMap marks) : m_tm(tm), m_marks(marks) {}
+  std::size_t part; ///< the place of the part in the output
 
-  void add(face_descriptor f)
-  {
-    std::array<std::size_t, 3> triangle;
-    halfedge_descriptor h = halfedge(f, m_tm);
-    for(std::size_t& v : triangle)
-    {
-      v = vertex(h);
-      h = next(h, m_tm);
-    }
-    triangles.push_back(triangle);
-  }
+  /// the cyclic sequence of the halfedges of the mesh along the border of the cap, in faces of the part
+  std::vector<halfedge_descriptor> border;
 
-  std::vector<std::array<std::size_t, 3>> triangles;
-  std::vector<vertex_descriptor> vertices; // of the mesh, of each vertex here
-
-private:
-  bool is_marked(halfedge_descriptor h) const { return get(m_marks, edge(h, m_tm)); }
-
-  // The vertex at the end of a halfedge, the same for all of its fan.
-  std::size_t vertex(halfedge_descriptor h)
-  {
-    const auto known = m_vertex.find(h);
-    if(known != m_vertex.end())
-      return known->second;
-    halfedge_descriptor first = h;
-    while(!is_marked(first))
-    {
-      first = prev(opposite(first, m_tm), m_tm);
-      if(first == h)
-        break;
-    }
-    const std::size_t v = vertices.size();
-    vertices.push_back(target(h, m_tm));
-    h = first;
-    do
-    {
-      m_vertex[h] = v;
-      const halfedge_descriptor n = next(h, m_tm);
-      if(is_marked(n))
-        break;
-      h = opposite(n, m_tm);
-    } while(h != first);
-    return v;
-  }
-
-  const TriangleMesh& m_tm;
-  EdgeIsConstrainedMap m_marks;
-  std::unordered_map<halfedge_descriptor, std::size_t> m_vertex;
+  /// whether a triangle of the cap meets another triangle of the closed part in more than common vertices and edges
+  bool intersects_part;
 };
-
-} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// makes a mesh of each part into which marked edges divide a closed mesh, and closes its holes: meshes for printing or
 /// simulation.
 ///
 /// The mesh is opened along the marked edges. A vertex there is doubled, so that parts that touch themselves or others
-/// become manifold, and a part on both sides of a curve, as of a torus along a meridian, gets two holes. Each hole is
-/// filled by `CGAL::Polygon_mesh_processing::triangulate_hole()`, or, if that finds no triangulation, by the cone to
-/// the mean of its vertices. Where the surface is strongly bent around a curve a filling may intersect the part.
+/// become manifold, and a part on both sides of a curve, as of a torus along a meridian, gets two holes.
+///
+/// The caps on the two sides of a cut are the same surface: the triangles of one are those of the other, turned over.
+/// So the volumes of the parts add up to that of the mesh, up to rounding. The triangles are those of
+/// `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`, or, where one of their sides is an edge of the mesh
+/// already, those of least area without such sides; where there are none, the cone to the mean of the vertices. Where
+/// curves share a stretch of edges, and the holes of different parts therefore have some edges in common and others not,
+/// all of them are closed by cones to one common point. Where a curve touches itself or another, the hole is closed as
+/// several.
+///
+/// A cap may intersect its part where the surface is strongly bent around a curve, or where the part reaches through the
+/// curve. Which do is told if `cap_output_iterator` is given. The volume of a part is negative if its surface encloses
+/// what is outside of the solid, as the wall of a pocket closed by a cap over its opening.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph`, default constructible
 /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edges of `tm` as key type and `bool` as value
@@ -120,10 +82,17 @@ private:
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{cap_output_iterator}
+///     \cgalParamDescription{takes a `Part_cap` for each cap; a function of
+///                           `CGAL::Surface_mesh_constrictions::parameters`}
+///     \cgalParamType{a model of `OutputIterator`}
+///     \cgalParamDefault{unset: caps are not looked at for intersections}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the output iterator, past the last element that was written
-/// \cost linear in the size of the mesh, plus that of filling the holes
+/// \cost linear in the size of the mesh, plus that of triangulating the caps; if they are asked for, that of
+///       `CGAL::Polygon_mesh_processing::self_intersections()` near them
 template <class TriangleMesh, class EdgeIsConstrainedMap, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator extract_parts(const TriangleMesh& tm, EdgeIsConstrainedMap edge_is_constrained_map, OutputIterator out,
@@ -144,25 +113,34 @@ OutputIterator extract_parts(const TriangleMesh& tm, EdgeIsConstrainedMap edge_i
   for(auto f : faces(tm))
     faces_of_part[get(component, f)].push_back(f);
 
-  for(const auto& faces : faces_of_part)
+  typedef std::decay_t<decltype(vpm)> Vertex_point_map;
+  typedef internal::Part_closer<TriangleMesh, EdgeIsConstrainedMap, Vertex_point_map> Closer;
+  std::vector<typename Closer::Opened> opened(n, {tm, edge_is_constrained_map, vpm});
+  for(std::size_t p = 0; p < n; ++p)
+    for(auto f : faces_of_part[p])
+      opened[p].add_face(f);
+  std::vector<std::vector<typename Closer::Cap>> caps_of_part(n);
+  if(with_caps)
   {
-    internal::Opened_mesh<TriangleMesh, EdgeIsConstrainedMap> opened(tm, edge_is_constrained_map);
-    for(auto f : faces)
-      opened.add(f);
-    std::vector<typename boost::property_traits<std::decay_t<decltype(vpm)>>::value_type> points;
-    for(auto v : opened.vertices)
-      points.push_back(get(vpm, v));
+    const Closer closer(tm, edge_is_constrained_map, vpm, faces_of_part, opened);
+    for(const typename Closer::Cap& c : closer.caps())
+      caps_of_part[c.part].push_back(c);
+  }
+
+  for(std::size_t p = 0; p < n; ++p)
+  {
+    const auto soup = opened[p].soup();
     TriangleMesh part;
-    PMP::polygon_soup_to_polygon_mesh(points, opened.triangles, part);
-    if(with_caps)
+    PMP::polygon_soup_to_polygon_mesh(soup.first, soup.second, part);
+    if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::cap_output_iterator_t>::value)
     {
-      std::vector<typename Graph_traits::halfedge_descriptor> border;
-      for(auto h : halfedges(part))
-        if(is_border(h, part))
-          border.push_back(h);
-      for(auto h : border)
-        if(is_border(h, part))
-          internal::fill_hole(h, part);
+      auto caps_out = get_parameter(np, internal_np::cap_output_iterator);
+      std::vector<std::array<std::size_t, 2>> ranges;
+      for(const typename Closer::Cap& c : caps_of_part[p])
+        ranges.push_back({{c.first_triangle, c.end_of_triangles}});
+      const std::vector<bool> intersects = internal::intersecting_caps(part, ranges);
+      for(std::size_t c = 0; c < intersects.size(); ++c)
+        *caps_out++ = Part_cap<TriangleMesh>{p, caps_of_part[p][c].border, intersects[c]};
     }
     *out++ = std::move(part);
   }

@@ -42,6 +42,7 @@ enum all_constrictions_t { all_constrictions };
 enum maximum_number_of_parts_t { maximum_number_of_parts };
 enum choked_side_t { choked_side };
 enum with_caps_t { with_caps };
+enum cap_output_iterator_t { cap_output_iterator };
 
 } // namespace internal_np
 
@@ -139,6 +140,11 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(choked_side)
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// Whether the holes of the parts are filled. Type: `bool`. Default: `true`. Of `extract_parts()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(with_caps)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Takes a `Part_cap` for each cap that closes a part. Type: a model of `OutputIterator`. Default: unset.
+/// Of `extract_parts()`.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(cap_output_iterator)
 
 } // namespace parameters
 } // namespace Surface_mesh_constrictions

@@ -129,6 +129,11 @@ Split_mesh<Mesh> expect_parts(Mesh& mesh, const std::vector<SMC::Constriction<Me
   }
   EXPECT_NEAR(sum, area, 1e-12 * area);
   EXPECT_EQ(number_of_faces, faces(mesh).size());
+  const double volume_tolerance = 1e-12 * std::pow(area, 1.5);
+  double sum_of_volumes = 0;
+  for(const SMC::Surface_part& p : parts.parts)
+    sum_of_volumes += p.volume;
+  EXPECT_TRUE(!keeps_lengths || std::abs(sum_of_volumes - volume) <= volume_tolerance) << sum_of_volumes - volume;
 
   // the mesh as it was
   const bool bounds_volume = PMP::does_bound_a_volume(mesh);
@@ -157,7 +162,7 @@ Split_mesh<Mesh> expect_parts(Mesh& mesh, const std::vector<SMC::Constriction<Me
   EXPECT_TRUE(CGAL::is_closed(mesh));
   EXPECT_EQ(euler_characteristic(mesh), characteristic);
   EXPECT_NEAR(CGAL::to_double(PMP::area(mesh)), area, 1e-12 * area);
-  EXPECT_NEAR(CGAL::to_double(PMP::volume(mesh)), volume, 1e-12 * std::pow(area, 1.5));
+  EXPECT_NEAR(CGAL::to_double(PMP::volume(mesh)), volume, volume_tolerance);
   for(const auto& [v, p] : old_points)
     EXPECT_EQ(get(vpm, v), p);
   EXPECT_EQ(record.open, 0u);
@@ -230,8 +235,10 @@ Split_mesh<Mesh> expect_parts(Mesh& mesh, const std::vector<SMC::Constriction<Me
   std::multiset<long> characteristics, expected_characteristics;
   for(const SMC::Surface_part& p : parts.parts)
     expected_characteristics.insert(2 - 2 * static_cast<long>(p.genus));
+  double sum_of_extracted = 0;
   for(const Mesh& m : meshes)
   {
+    sum_of_extracted += CGAL::to_double(PMP::volume(m));
     EXPECT_TRUE(CGAL::is_valid_polygon_mesh(m));
     EXPECT_TRUE(CGAL::is_triangle_mesh(m));
     EXPECT_TRUE(CGAL::is_closed(m));
@@ -239,6 +246,7 @@ Split_mesh<Mesh> expect_parts(Mesh& mesh, const std::vector<SMC::Constriction<Me
     characteristics.insert(euler_characteristic(m));
   }
   EXPECT_EQ(characteristics, expected_characteristics);
+  EXPECT_NEAR(sum_of_extracted, volume, volume_tolerance);
   return result;
 }
 

@@ -5,7 +5,6 @@
 
 #include <CGAL/Surface_mesh_constrictions/extract_parts.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Curve_arrangement.h>
-#include <CGAL/Surface_mesh_constrictions/internal/parts/fill_hole.h>
 #include <CGAL/Surface_mesh_constrictions/split_along_constrictions.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -62,31 +61,6 @@ TEST(Extract_parts, WithoutCapsHaveBorders)
   EXPECT_EQ(border, 12u);
   ASSERT_EQ(closed.size(), 1u);
   EXPECT_EQ(closed[0].number_of_faces(), 80u); // two hexagons
-}
-
-// On the torus of seven vertices all pairs of them are joined by an edge, so that no triangle fits into the hole that
-// one of them leaves.
-TEST(Fill_hole, WhereNoTriangleFitsWithACone)
-{
-  test_meshes::Soup soup = {
-      {{{3, -3, 0}}, {{3, 3, 0}}, {{1, 2, 3}}, {{-1, -2, 3}}, {{-3, -3, 1}}, {{-3, 3, 1}}, {{0, 0, 15}}}, {}};
-  for(std::size_t i = 0; i < 7; ++i)
-  {
-    soup.faces.push_back({{i, (i + 1) % 7, (i + 3) % 7}});
-    soup.faces.push_back({{i, (i + 3) % 7, (i + 2) % 7}});
-  }
-  Mesh mesh = test_meshes::make_mesh(soup);
-  const auto hexagon = CGAL::Euler::remove_center_vertex(mesh.halfedge(Mesh::Vertex_index(6)), mesh);
-  CGAL::Euler::make_hole(hexagon, mesh);
-  ASSERT_FALSE(CGAL::is_closed(mesh));
-
-  SMC::internal::fill_hole(hexagon, mesh);
-  EXPECT_TRUE(CGAL::is_closed(mesh));
-  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
-  EXPECT_EQ(mesh.number_of_vertices(), 7u);
-  EXPECT_EQ(mesh.number_of_faces(), 14u);
-  const Mesh::Point top = mesh.point(mesh.target(mesh.next(hexagon)));
-  EXPECT_NEAR(top.x(), 0.5 * (3 + 3 + 1 - 1 - 3 - 3) / 3, 1e-15);
 }
 
 TEST(Split_parts, AreLimitedInNumber)

@@ -58,6 +58,21 @@ protected:
 
     const constrictions::Mesh whole = constrictions::read_mesh_file((folder / "parts/parts.ply").string());
     EXPECT_NEAR(PMP::area(whole), area, 1e-12 * area);
+    double volume = 0;
+    for(const json& p : j.at("parts"))
+    {
+      volume += p.at("volume").get<double>();
+      EXPECT_GE(p.at("caps").size(), p.at("boundaries").get<std::size_t>());
+      EXPECT_EQ(p.at("cavity").get<bool>(), p.at("volume").get<double>() * PMP::volume(whole) < 0);
+      for(const json& c : p.at("caps"))
+      {
+        EXPECT_TRUE(c.at("cuts_part").is_boolean());
+        EXPECT_FALSE(c.at("curves").empty());
+        for(const json& curve : c.at("curves"))
+          EXPECT_TRUE(j.at("curves").at(curve.get<std::size_t>()).at("cuts").get<bool>());
+      }
+    }
+    EXPECT_NEAR(volume, PMP::volume(whole), 1e-9 * PMP::volume(whole));
     for(const json& p : j.at("face_parts"))
       EXPECT_LT(p.get<std::size_t>(), j.at("parts").size());
     for(const json& a : j.at("adjacencies"))
@@ -95,6 +110,8 @@ TEST_F(Segment, dumbbell)
     areas.insert(std::lround(p.at("area").get<double>()));
     EXPECT_EQ(p.at("genus"), 0);
     EXPECT_EQ(p.at("boundaries"), 1);
+    EXPECT_EQ(p.at("cavity"), false);
+    EXPECT_EQ(p.at("caps"), json::parse(R"([{"curves": [0], "cuts_part": false}])"));
   }
   EXPECT_EQ(volumes, (std::multiset<long>{27, 29}));
   EXPECT_EQ(areas, (std::multiset<long>{53, 61}));

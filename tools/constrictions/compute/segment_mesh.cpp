@@ -13,7 +13,9 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
+#include <vector>
 
 namespace constrictions {
 
@@ -85,6 +87,7 @@ Part measured_part(const Mesh& open, Mesh&& closed, bool is_open)
   const std::size_t euler_characteristic =
       closed.number_of_vertices() + closed.number_of_faces() - closed.number_of_edges(); // modulo 2^64
   part.genus = (2 - euler_characteristic) / 2;
+  part.is_cavity = false;
   part.boundaries = 0;
   std::vector<bool> is_seen(open.num_halfedges(), false);
   for(Mesh::Halfedge_index h : open.halfedges())
@@ -96,6 +99,19 @@ Part measured_part(const Mesh& open, Mesh&& closed, bool is_open)
     }
   part.mesh = is_open ? open : std::move(closed);
   return part;
+}
+
+// The curves along which the border of a cap runs.
+std::vector<std::size_t> curves_at(const SMC::Part_cap<Mesh>& cap, const Mesh& mesh,
+                                   const std::map<Mesh::Edge_index, std::vector<std::size_t>>& curves_of_edge)
+{
+  std::set<std::size_t> result;
+  for(Mesh::Halfedge_index h : cap.border)
+  {
+    const std::vector<std::size_t>& curves = curves_of_edge.at(mesh.edge(h));
+    result.insert(curves.begin(), curves.end());
+  }
+  return {result.begin(), result.end()};
 }
 
 } // namespace
@@ -116,9 +132,23 @@ Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constricti
                             CGAL::parameters::edge_is_constrained_map(marks));
   std::vector<Mesh> open, closed;
   SMC::extract_parts(result.mesh, marks, std::back_inserter(open), SMC::parameters::with_caps(false));
-  SMC::extract_parts(result.mesh, marks, std::back_inserter(closed));
+  std::vector<SMC::Part_cap<Mesh>> caps;
+  SMC::extract_parts(result.mesh, marks, std::back_inserter(closed),
+                     SMC::parameters::cap_output_iterator(std::back_inserter(caps)));
+  double volume = 0;
   for(std::size_t p = 0; p < open.size(); ++p)
+  {
     result.parts.push_back(measured_part(open[p], std::move(closed[p]), segmentation.open));
+    volume += result.parts.back().volume;
+  }
+  for(Part& part : result.parts)
+    part.is_cavity = part.volume * volume < 0;
+  std::map<Mesh::Edge_index, std::vector<std::size_t>> curves_of_edge;
+  for(std::size_t c = 0; c < constrictions.size(); ++c)
+    for(Mesh::Halfedge_index h : curves.halfedges[c])
+      curves_of_edge[result.mesh.edge(h)].push_back(c);
+  for(const SMC::Part_cap<Mesh>& c : caps)
+    result.parts[c.part].caps.push_back({curves_at(c, result.mesh, curves_of_edge), c.intersects_part});
 
   for(std::size_t c = 0; c < constrictions.size(); ++c)
   {

@@ -13,6 +13,13 @@
 
 namespace constrictions {
 
+/// A surface that closes a part at a cut.
+struct Cap
+{
+  std::vector<std::size_t> curves; ///< along which its border runs
+  bool cuts_part;                  ///< whether it intersects the part, or another of its caps
+};
+
 /// A part of a surface, as a mesh of its own.
 struct Part
 {
@@ -20,7 +27,9 @@ struct Part
   double area;            ///< without caps
   double volume;          ///< with caps
   std::size_t genus;      ///< with caps
-  std::size_t boundaries; ///< the number of caps
+  std::size_t boundaries; ///< closed curves along which it is cut, each counted on each side where the part lies
+  std::vector<Cap> caps;
+  bool is_cavity; ///< whether it encloses what is outside of the solid: its volume has not the sign of the whole
 };
 
 /// A surface cut along its constrictions.

@@ -12,6 +12,14 @@ namespace {
 
 typedef nlohmann::ordered_json Json;
 
+Json caps_as_json(const Part& part)
+{
+  Json result = Json::array();
+  for(const Cap& c : part.caps)
+    result.push_back({{"curves", c.curves}, {"cuts_part", c.cuts_part}});
+  return result;
+}
+
 } // namespace
 
 std::string parts_as_json(const Report& report, const Parts& parts)
@@ -23,7 +31,9 @@ std::string parts_as_json(const Report& report, const Parts& parts)
                          {"area", parts.parts[p].area},
                          {"volume", parts.parts[p].volume},
                          {"genus", parts.parts[p].genus},
-                         {"boundaries", parts.parts[p].boundaries}});
+                         {"boundaries", parts.parts[p].boundaries},
+                         {"cavity", parts.parts[p].is_cavity},
+                         {"caps", caps_as_json(parts.parts[p])}});
   for(const auto& a : parts.adjacencies)
     adjacencies.push_back({{"curve", a.curve}, {"parts", a.parts}, {"length", a.length}});
   for(std::size_t c = 0; c < report.constrictions.size(); ++c)

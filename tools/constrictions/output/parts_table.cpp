@@ -19,6 +19,14 @@ std::string parts_as_table(const Parts& parts)
   for(std::size_t p = 0; p < parts.parts.size(); ++p)
     out << setw(5) << p << setw(14) << parts.parts[p].area << setw(14) << parts.parts[p].volume << setw(8)
         << parts.parts[p].genus << setw(12) << parts.parts[p].boundaries << '\n';
+  for(std::size_t p = 0; p < parts.parts.size(); ++p)
+  {
+    const std::vector<Cap>& caps = parts.parts[p].caps;
+    if(std::any_of(caps.begin(), caps.end(), [](const Cap& c) { return c.cuts_part; }))
+      out << "part " << p << ": a cap cuts it\n";
+    if(parts.parts[p].is_cavity)
+      out << "part " << p << " is a cavity: it encloses what is outside of the solid, so its volume has the other sign\n";
+  }
   for(std::size_t c = 0; c < parts.outcomes.size(); ++c)
     if(parts.outcomes[c].crossed_curve != CGAL::Surface_mesh_constrictions::Cut_outcome::none)
       out << "constriction " << c << " does not cut: it crosses constriction " << parts.outcomes[c].crossed_curve

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/found_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Slides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
@@ -181,7 +182,7 @@ private:
     for(Index c : asked)
     {
       Measured_curve m = {arcs_of_curve(m_network, c), {}, m_network.length(c), false};
-      m.trace = trace(m_pm, m.arcs);
+      m.trace = accurate_trace(m_pm, m.arcs);
       m.separates = m_sides.part(m.trace).is_separating();
       curves.push_back(std::move(m));
     }

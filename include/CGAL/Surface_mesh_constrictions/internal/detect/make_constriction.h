@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 
 #include <array>
@@ -34,7 +35,7 @@ public:
   {
     typedef Constriction<TriangleMesh> Result;
     const std::vector<Arc> arcs = arcs_of_curve(network, c);
-    const std::vector<Trace_point> points = trace(m_pm, arcs);
+    const std::vector<Trace_point> points = accurate_trace(m_pm, arcs);
     typename Result::Data data;
     std::size_t arc = 0;
     for(const Trace_point& p : points)

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -174,38 +175,62 @@ private:
     }
   }
 
-  // Counts the boundary curves and adds the volumes of their caps.
+  // For each vertex a vertex that stands for all that hang together with it along arcs; itself if there are none.
+  std::vector<std::size_t> clusters_of_vertices() const
+  {
+    std::vector<std::size_t> cluster(m_surface.points.size());
+    std::iota(cluster.begin(), cluster.end(), std::size_t(0));
+    const auto find = [&cluster](std::size_t v) {
+      while(cluster[v] != v)
+        v = cluster[v] = cluster[cluster[v]];
+      return v;
+    };
+    for(std::size_t s = 0; s < m_surface.sides.size(); ++s)
+      if(m_surface.sides[s].arc != none)
+        cluster[find(m_surface.sides[s].vertex)] = find(end(s));
+    for(std::size_t v = 0; v < cluster.size(); ++v)
+      cluster[v] = find(v);
+    return cluster;
+  }
+
+  // Counts the boundary curves and adds the volumes of the cones over them. Curves that touch each other have the same
+  // apex, their common centre of mass, so that the cones on the two sides of each piece cancel whatever else the
+  // boundary curves run along.
   void close_boundaries(std::vector<Surface_part>& result) const
   {
+    struct Weighted
+    {
+      Vector moment = NULL_VECTOR;
+      double length = 0;
+    };
+    const std::vector<std::size_t> cluster = clusters_of_vertices();
+    std::map<std::size_t, Weighted> centres;
+    for(std::size_t s = 0; s < m_surface.sides.size(); ++s)
+      if(m_surface.sides[s].arc != none)
+      {
+        Weighted& c = centres[cluster[end(s)]];
+        c.moment = c.moment + length(s) / 2 * (m_surface.points[m_surface.sides[s].vertex] + m_surface.points[end(s)]);
+        c.length += length(s);
+      }
+
     std::vector<bool> is_seen(m_surface.sides.size(), false);
-    std::vector<std::size_t> cycle;
     for(std::size_t first = 0; first < m_surface.sides.size(); ++first)
     {
       if(m_surface.sides[first].arc == none || is_seen[first])
         continue;
-      cycle.clear();
+      const Weighted& c = centres.at(cluster[end(first)]);
+      const Vector centre = c.length > 0 ? c.moment / c.length : m_surface.points[m_surface.sides[first].vertex];
+      Surface_part& part = result[part_of_side(first)];
+      ++part.number_of_boundaries;
       std::size_t s = first;
       do
       {
         is_seen[s] = true;
-        cycle.push_back(s);
+        part.volume += volume(m_surface.points[end(s)], m_surface.points[m_surface.sides[s].vertex], centre);
         s = m_surface.sides[s].next;
         while(m_surface.sides[s].arc == none)
           s = m_surface.sides[m_surface.sides[s].opposite].next;
       } while(s != first);
-
-      Vector moment = NULL_VECTOR;
-      double total = 0;
-      for(std::size_t i : cycle)
-      {
-        moment = moment + length(i) / 2 * (m_surface.points[m_surface.sides[i].vertex] + m_surface.points[end(i)]);
-        total += length(i);
-      }
-      const Vector centre = total > 0 ? moment / total : m_surface.points[m_surface.sides[first].vertex];
-      Surface_part& part = result[part_of_side(first)];
-      ++part.number_of_boundaries;
-      for(std::size_t i : cycle)
-        part.volume += volume(m_surface.points[end(i)], m_surface.points[m_surface.sides[i].vertex], centre);
     }
   }
 

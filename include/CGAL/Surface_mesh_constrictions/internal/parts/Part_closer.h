@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PARTS_PART_CLOSER_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PARTS_PART_CLOSER_H
+
+#include <CGAL/Surface_mesh_constrictions/internal/parts/Opened_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/triangulate_cap.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Origin.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// Closes the parts of a mesh that has been opened along marked edges, all of them together, by caps that cancel: what a
+// cap adds to the volume of one part, caps of others take away.
+//
+// The border of a part is taken apart where it touches itself, into loops that pass each vertex once. Of a loop that runs
+// along the same edges as a loop on their other side both get the same triangles, turned over. Loops that share some
+// edges only, as where curves share a stretch, get cones to one common point, the mean of all of their vertices: a cone
+// over a sum of paths is the sum of the cones over them, and these paths are there once in each direction.
+template <class TriangleMesh, class EdgeIsConstrainedMap, class VertexPointMap>
+class Part_closer
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+
+public:
+  typedef Opened_mesh<TriangleMesh, EdgeIsConstrainedMap, VertexPointMap> Opened;
+  typedef typename Opened::Point Point;
+
+  struct Cap
+  {
+    std::size_t part;
+    std::vector<halfedge_descriptor> border; // of the faces of the part, in order
+    std::size_t first_triangle = 0, end_of_triangles = 0;
+  };
+
+  // Adds the caps to the parts, each of which has all of its faces. Linear in their size, plus the triangulations.
+  Part_closer(const TriangleMesh& tm, EdgeIsConstrainedMap marks, VertexPointMap vpm,
+              const std::vector<std::vector<typename Graph_traits::face_descriptor>>& faces_of_part,
+              std::vector<Opened>& parts)
+    : m_tm(tm), m_marks(marks), m_vpm(vpm), m_parts(parts)
+  {
+    find_loops(faces_of_part);
+    for(std::size_t i = 0; i < m_caps.size(); ++i)
+      for(halfedge_descriptor h : m_caps[i].border)
+        m_loop[h] = i;
+    std::vector<std::size_t> alone;
+    for(std::size_t i = 0; i < m_caps.size(); ++i)
+    {
+      const std::size_t twin = twin_of(i);
+      if(twin == i)
+        alone.push_back(i);
+      else if(i < twin)
+        close_with_same_triangles(i, twin);
+    }
+    close_with_cones(alone);
+  }
+
+  const std::vector<Cap>& caps() const { return m_caps; }
+
+private:
+  bool is_marked(halfedge_descriptor h) const { return get(m_marks, edge(h, m_tm)); }
+
+  // The halfedge after h along the border of its part.
+  halfedge_descriptor next_on_border(halfedge_descriptor h) const
+  {
+    h = next(h, m_tm);
+    while(!is_marked(h))
+      h = next(opposite(h, m_tm), m_tm);
+    return h;
+  }
+
+  void find_loops(const std::vector<std::vector<typename Graph_traits::face_descriptor>>& faces_of_part)
+  {
+    std::unordered_set<halfedge_descriptor> is_seen;
+    for(std::size_t part = 0; part < faces_of_part.size(); ++part)
+      for(auto f : faces_of_part[part])
+      {
+        halfedge_descriptor h = halfedge(f, m_tm);
+        for(int i = 0; i < 3; ++i, h = next(h, m_tm))
+        {
+          if(!is_marked(h) || is_seen.count(h) > 0)
+            continue;
+          std::vector<halfedge_descriptor> border;
+          for(halfedge_descriptor b = h; is_seen.insert(b).second; b = next_on_border(b))
+            border.push_back(b);
+          add_loops(part, border);
+        }
+      }
+  }
+
+  // Takes a border apart where it comes back to a vertex. Where a face of a cap would have two corners only, as of a
+  // path that runs to and fro, it is left as it is.
+  void add_loops(std::size_t part, const std::vector<halfedge_descriptor>& border)
+  {
+    std::vector<std::vector<halfedge_descriptor>> loops;
+    std::vector<halfedge_descriptor> open;
+    std::unordered_map<vertex_descriptor, std::size_t> place; // in `open`, of the halfedge that begins at a vertex
+    for(halfedge_descriptor h : border)
+    {
+      place[source(h, m_tm)] = open.size();
+      open.push_back(h);
+      const auto begin = place.find(target(h, m_tm));
+      if(begin == place.end())
+        continue;
+      const std::size_t first = begin->second;
+      loops.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(first), open.end());
+      for(halfedge_descriptor o : loops.back())
+        place.erase(source(o, m_tm));
+      open.resize(first);
+    }
+    if(std::any_of(loops.begin(), loops.end(), [](const auto& l) { return l.size() < 3; }))
+      loops = {border};
+    else
+      for(const auto& l : loops)
+        m_parts[part].merge(corner_at_source(part, l.front()), m_parts[part].vertex(l.back()));
+    for(auto& l : loops)
+    {
+      m_caps.emplace_back();
+      m_caps.back().part = part;
+      m_caps.back().border.swap(l);
+    }
+  }
+
+  // The vertex of a part at the beginning of a halfedge of its faces.
+  std::size_t corner_at_source(std::size_t part, halfedge_descriptor h)
+  {
+    return m_parts[part].vertex(prev(h, m_tm));
+  }
+
+  // The loop that runs along the same edges on their other side, the number itself if there is none. Loops that pass a
+  // vertex twice have none.
+  std::size_t twin_of(std::size_t i) const
+  {
+    const std::vector<halfedge_descriptor>& border = m_caps[i].border;
+    const std::size_t twin = m_loop.at(opposite(border.front(), m_tm));
+    std::unordered_set<vertex_descriptor> passed;
+    for(halfedge_descriptor h : border)
+      if(m_loop.at(opposite(h, m_tm)) != twin || !passed.insert(target(h, m_tm)).second)
+        return i;
+    return m_caps[twin].border.size() == border.size() ? twin : i;
+  }
+
+  bool is_around_one_face(halfedge_descriptor h, std::size_t size) const
+  {
+    return size == 3 && is_marked(next(h, m_tm)) && is_marked(prev(h, m_tm));
+  }
+
+  void close_with_same_triangles(std::size_t i, std::size_t twin)
+  {
+    const std::vector<halfedge_descriptor>& border = m_caps[i].border;
+    const std::size_t n = border.size();
+    const auto opposite_of_next = [&](std::size_t k) { return opposite(border[(k + 1) % n], m_tm); };
+    Cap_polygon polygon;
+    for(halfedge_descriptor h : border)
+    {
+      const Point p = get(m_vpm, target(h, m_tm));
+      polygon.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    }
+    // a diagonal that is an edge of a part already would make it no manifold, and so would a face upon a face
+    const auto is_forbidden = [&](std::size_t a, std::size_t b) {
+      return halfedge(target(border[a], m_tm), target(border[b], m_tm), m_tm).second;
+    };
+    Cap_triangles triangles;
+    if(!is_around_one_face(border[0], n) && !is_around_one_face(opposite(border[0], m_tm), n))
+      triangles = triangulate_cap(polygon, is_forbidden);
+    if(triangles.empty())
+    {
+      const Point apex = mean({i});
+      close_with_cone(i, apex);
+      close_with_cone(twin, apex);
+      return;
+    }
+    Opened &part = m_parts[m_caps[i].part], &other = m_parts[m_caps[twin].part];
+    begin_cap(i);
+    for(const auto& t : triangles)
+      part.add_triangle({{part.vertex(border[t[2]]), part.vertex(border[t[1]]), part.vertex(border[t[0]])}});
+    end_cap(i);
+    begin_cap(twin);
+    for(const auto& t : triangles)
+      other.add_triangle({{other.vertex(opposite_of_next(t[0])), other.vertex(opposite_of_next(t[1])),
+                           other.vertex(opposite_of_next(t[2]))}});
+    end_cap(twin);
+  }
+
+  // Loops that hang together by shared edges have a common apex.
+  void close_with_cones(const std::vector<std::size_t>& loops)
+  {
+    std::unordered_set<std::size_t> is_seen;
+    for(std::size_t first : loops)
+    {
+      if(!is_seen.insert(first).second)
+        continue;
+      std::vector<std::size_t> group = {first};
+      for(std::size_t k = 0; k < group.size(); ++k)
+        for(std::size_t e = 0; e < m_caps[group[k]].border.size(); ++e)
+        {
+          const std::size_t neighbour = m_loop.at(opposite(m_caps[group[k]].border[e], m_tm));
+          if(is_seen.insert(neighbour).second)
+            group.push_back(neighbour);
+        }
+      const Point apex = mean(group);
+      for(std::size_t i : group)
+        close_with_cone(i, apex);
+    }
+  }
+
+  Point mean(const std::vector<std::size_t>& loops) const
+  {
+    typedef typename Kernel_traits<Point>::Kernel Kernel;
+    typename Kernel::Vector_3 sum = NULL_VECTOR;
+    typename Kernel::FT n = 0;
+    for(std::size_t i : loops)
+      for(halfedge_descriptor h : m_caps[i].border)
+      {
+        sum = sum + (get(m_vpm, target(h, m_tm)) - Point(ORIGIN));
+        n += 1;
+      }
+    return Point(ORIGIN) + sum / n;
+  }
+
+  void close_with_cone(std::size_t i, const Point& apex)
+  {
+    Opened& part = m_parts[m_caps[i].part];
+    const std::size_t centre = part.add_vertex(apex);
+    begin_cap(i);
+    for(halfedge_descriptor h : m_caps[i].border)
+      part.add_triangle({{part.vertex(h), corner_at_source(m_caps[i].part, h), centre}});
+    end_cap(i);
+  }
+
+  void begin_cap(std::size_t i) { m_caps[i].first_triangle = m_parts[m_caps[i].part].number_of_triangles(); }
+  void end_cap(std::size_t i) { m_caps[i].end_of_triangles = m_parts[m_caps[i].part].number_of_triangles(); }
+
+  const TriangleMesh& m_tm;
+  EdgeIsConstrainedMap m_marks;
+  VertexPointMap m_vpm;
+  std::vector<Opened>& m_parts;
+  std::vector<Cap> m_caps;
+  std::unordered_map<halfedge_descriptor, std::size_t> m_loop; // of a halfedge on a border
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PARTS_PART_CLOSER_H
