@@ -92,6 +92,18 @@ public:
   {
     const mpfr_prec_t precision = common_precision(a, b);
     Multiprecision_interval result(precision);
+    const int a_sign = a.weak_sign(), b_sign = b.weak_sign();
+    if(a_sign != 0 && b_sign != 0)
+    {
+      // which ends make the least and the greatest product
+      mpfr_srcptr const a_low = b_sign > 0 ? a.m_low.get() : a.m_high.get();
+      mpfr_srcptr const a_high = b_sign > 0 ? a.m_high.get() : a.m_low.get();
+      mpfr_srcptr const b_low = a_sign > 0 ? b.m_low.get() : b.m_high.get();
+      mpfr_srcptr const b_high = a_sign > 0 ? b.m_high.get() : b.m_low.get();
+      mpfr_mul(result.m_low.get(), a_low, b_low, MPFR_RNDD);
+      mpfr_mul(result.m_high.get(), a_high, b_high, MPFR_RNDU);
+      return result;
+    }
     Multiprecision_number product(precision);
     bool first = true;
     for(mpfr_srcptr x : {a.m_low.get(), a.m_high.get()})
@@ -109,6 +121,9 @@ public:
   }
 
 private:
+  // 1 if no number of the interval is negative, -1 if none is positive, else 0
+  int weak_sign() const { return mpfr_sgn(m_low.get()) >= 0 ? 1 : mpfr_sgn(m_high.get()) <= 0 ? -1 : 0; }
+
   explicit Multiprecision_interval(mpfr_prec_t precision) : m_low(precision), m_high(precision) {}
 
   static mpfr_prec_t common_precision(const Multiprecision_interval& a, const Multiprecision_interval& b)

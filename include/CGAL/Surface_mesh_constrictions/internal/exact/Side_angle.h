@@ -3,9 +3,11 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SIDE_ANGLE_H
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/other_side.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Corner_arithmetic.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Prismatic_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Rational.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
 
@@ -113,7 +115,7 @@ public:
     case Angle_sum::UNKNOWN:
       return Proved_sign::UNPROVED;
     default:
-      return &m_incoming == &m_outgoing ? sign_of_loop() : sign_around_pi();
+      return sign_around_pi();
     }
   }
 
@@ -150,12 +152,35 @@ private:
   // For a sum around pi: minus its sine.
   Proved_sign sign_around_pi()
   {
-    return m_prover.sign([&](const auto& arithmetic, auto& value) {
-      Planar<typename std::decay_t<decltype(arithmetic)>::NT> product(arithmetic.number(-1), arithmetic.number(0));
-      for(const auto& angle : angles(arithmetic))
-        product = product * angle;
-      value[0] = product.y();
-    });
+    return m_prover.sign(
+        [&](const auto& arithmetic, auto& value) {
+          Planar<typename std::decay_t<decltype(arithmetic)>::NT> product(arithmetic.number(-1), arithmetic.number(0));
+          for(const auto& angle : angles(arithmetic))
+            product = product * angle;
+          value[0] = product.y();
+        },
+        [this] {
+          const Proved_sign sign = sign_on_prism();
+          return sign == Proved_sign::UNPROVED && &m_incoming == &m_outgoing ? sign_of_loop() : sign;
+        });
+  }
+
+  // The same if the curve, led past the pivot on this side, runs on a prism: there the side angle is less than pi if and
+  // only if the way from the one end over the pivot to the other turns to this side.
+  Proved_sign sign_on_prism()
+  {
+    const Surface& s = m_prover.surface();
+    std::vector<Halfedge> strip = m_incoming.crossings;
+    const std::size_t at_pivot = strip.size();
+    append_fan(s, m_incoming, m_outgoing, m_side, m_is_whole_turn, strip);
+    if(strip.size() == at_pivot)
+      return Proved_sign::UNPROVED;
+    strip.insert(strip.end(), m_outgoing.crossings.begin(), m_outgoing.crossings.end());
+    const auto prism = Prismatic_strip<Surface>::make(s, strip);
+    if(!prism)
+      return Proved_sign::UNPROVED;
+    const Proved_sign turn = prism->turn(prism->start(), prism->corner(at_pivot, other_side(m_side)), prism->end());
+    return m_side == Curve_side::LEFT ? opposite_sign(turn) : turn;
   }
 
   // A corner of a face, turned counterclockwise or clockwise.
