@@ -112,9 +112,15 @@ namespace Surface_mesh_constrictions {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has
-///                           led it astray. Then only curves with a certificate are returned.}
+///                           led it astray. What is proved to be no constriction is not returned.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{certified_only}
+///     \cgalParamDescription{whether to leave out curves of which a sign stayed open, so that neither is proved: that
+///                           they are constrictions, or that they are not. Their certificates say which sign.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{first_constriction_only}
 ///     \cgalParamDescription{whether to stop at the first seed curve, and follow that one only. It may degenerate: then
@@ -230,9 +236,10 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
     // other numbers than the built-in ones may share what they are made of
     typedef std::decay_t<decltype(get(vpm, imported.vertex(0)).x())> Coordinate;
     typedef std::conditional_t<std::is_arithmetic<Coordinate>::value, ConcurrencyTag, Sequential_tag> Certification_tag;
+    const bool certified_only = choose_parameter(get_parameter(np, internal_np::certified_only), false);
     internal::certify_found<Certification_tag>(
         network, [&] { return internal::Exact_settler<TriangleMesh, Vertex_point_map>(pm, imported, vpm); },
-        imported.unit(), refined, found, statistics,
+        imported.unit(), !certified_only, refined, found, statistics,
         [&visitor](std::size_t i) { visitor.on_step(Detection_stage::CERTIFICATION, i); });
   }
   internal::merge_coinciding(network, found);
