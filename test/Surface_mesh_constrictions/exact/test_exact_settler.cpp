@@ -219,7 +219,8 @@ TEST(ExactSettler, EveryLoopEndsInAConstrictionOrShrinksOrMeetsItself)
     const bool is_certified = verdict == Certificate_verdict::STRICT_CONSTRICTION ||
                               verdict == Certificate_verdict::CONSTRICTION;
     EXPECT_TRUE(is_certified || verdict == Certificate_verdict::TOUCHES_ITSELF ||
-                verdict == Certificate_verdict::CROSSES_ITSELF);
+                verdict == Certificate_verdict::CROSSES_ITSELF)
+        << "seed " << seed << ", verdict " << static_cast<int>(verdict);
     certified += is_certified;
   }
   EXPECT_GT(certified + degenerate, 6u);

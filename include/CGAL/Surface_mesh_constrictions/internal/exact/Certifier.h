@@ -10,8 +10,11 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Side_angle.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
 
+#include <CGAL/Interval_nt.h>
+
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -23,6 +26,7 @@ namespace internal {
 struct Known_of_arc
 {
   bool is_straight = false;
+  Rounded_directions directions; // if it is straight
   bool has_angles = false;
   // for the left and the right: the sign of the side angle - pi, and whether it goes around the whole pivot if both arcs
   // are in one face
@@ -81,15 +85,28 @@ public:
   // sides of the line from the one end of the arc to the other.
   Finding<Surface> examine_arc(const std::vector<Arc>& arcs, std::size_t i)
   {
+    Rounded_directions directions;
+    return examine_arc(arcs, i, directions);
+  }
+
+  // As above; sets the arc's directions at its ends.
+  Finding<Surface> examine_arc(const std::vector<Arc>& arcs, std::size_t i, Rounded_directions& directions)
+  {
     const Arc& arc = arcs[i];
     Finding<Surface> result(Certificate_verdict::NOT_COMPUTED, i);
     if(arc.is_edge())
+    {
+      const Planar<Interval_nt<false> > along(1, 0);
+      directions = {along, along};
       return result;
+    }
     const std::vector<Strip_corner> corners = strip_corners(surface(), arc.crossings);
     Prismatic_ties<Surface> ties(surface(), arc.crossings);
     const std::vector<Proved_sign> signs =
         m_prover.signs(corners.size(), [&](const auto& arithmetic, auto& values) {
           const auto strip = unfold(surface(), arithmetic, arc);
+          if constexpr(std::is_same<std::decay_t<decltype(arithmetic)>, Interval_arithmetic<Surface> >::value)
+            directions = {strip.apex, end_direction(arithmetic, strip)};
           for(std::size_t c = 0; c < corners.size(); ++c)
             if(values.wants(c))
             {
@@ -127,7 +144,9 @@ public:
     for(Curve_side side : {Curve_side::LEFT, Curve_side::RIGHT})
     {
       const std::size_t s = side == Curve_side::LEFT ? 0 : 1;
-      Side_angle<Surface> angle(m_prover, arcs[(i + arcs.size() - 1) % arcs.size()], arcs[i], side);
+      const std::size_t before = (i + arcs.size() - 1) % arcs.size();
+      const auto directions = [&known](std::size_t a) { return known[a].is_straight ? &known[a].directions : nullptr; };
+      Side_angle<Surface> angle(m_prover, arcs[before], arcs[i], side, directions(before), directions(i));
       k.beyond_pi[s] = angle.sign_beyond_pi();
       k.is_whole_turn[s] = angle.is_whole_turn();
     }
@@ -140,7 +159,7 @@ private:
     {
       if(known[i].is_straight)
         continue;
-      const Finding<Surface> f = examine_arc(arcs, i);
+      const Finding<Surface> f = examine_arc(arcs, i, known[i].directions);
       if(f.certificate.verdict != Certificate_verdict::NOT_COMPUTED)
         return f;
       known[i].is_straight = true;

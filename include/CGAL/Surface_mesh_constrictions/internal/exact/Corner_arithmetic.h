@@ -3,6 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_CORNER_ARITHMETIC_H
 
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Finite_field_number.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Multiprecision_disc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Multiprecision_interval.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Radical_number.h>

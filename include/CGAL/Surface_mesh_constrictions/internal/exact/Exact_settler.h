@@ -345,6 +345,8 @@ private:
     loop.clear();
     if(!pull(corner.vertex, strip.rotated(corner), corner.vertex, loop) || loop.empty())
       return false;
+    if(loop.size() > 1 && runs_back(loop, 0))
+      return true; // the strip closes around an edge, and turns once around its end
     Side_angle<Surface> towards_strip(m_certifier.prover(), loop.back(), loop.front(), other_side(corner.side));
     return towards_strip.sign_beyond_pi() != Proved_sign::NEGATIVE;
   }

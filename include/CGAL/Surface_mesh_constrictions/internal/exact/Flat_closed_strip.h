@@ -85,7 +85,7 @@ public:
           [&](std::size_t i) {
             if(!heights)
               heights = heights_on_prism();
-            return heights->empty() ? Proved_sign::UNPROVED : proved_sign((*heights)[others[i]] - (*heights)[best]);
+            return heights->empty() ? Proved_sign::UNPROVED : proved_sign(Integer((*heights)[others[i]] - (*heights)[best]));
           });
       const auto it = std::find(signs.begin(), signs.end(), nearer);
       if(it != signs.end())
@@ -148,7 +148,7 @@ public:
   }
 
 private:
-  typedef std::vector<Rational> Prismatic_heights;
+  typedef std::vector<Integer> Prismatic_heights;
 
   // On a prism: by how much the corners lie to the left of a point of the strip, in some unit; else empty.
   Prismatic_heights heights_on_prism() const
@@ -162,7 +162,7 @@ private:
     const bool is_right = prism->way_right(prism->corner(0, m_side), prism->corner(m_strip.size(), m_side)) ==
                           Proved_sign::POSITIVE;
     for(std::size_t c : m_corners)
-      result.push_back(is_right ? prism->height(vertex(c)) : -prism->height(vertex(c)));
+      result.push_back(is_right ? prism->height(vertex(c)) : Integer(-prism->height(vertex(c))));
     return result;
   }
 

@@ -66,6 +66,19 @@ public:
     return result;
   }
 
+  // The numbers that are no further from `centre` than `radius`.
+  static Multiprecision_interval around(mpfr_srcptr centre, mpfr_srcptr radius)
+  {
+    Multiprecision_interval result(mpfr_get_prec(centre));
+    mpfr_sub(result.m_low.get(), centre, radius, MPFR_RNDD);
+    mpfr_add(result.m_high.get(), centre, radius, MPFR_RNDU);
+    return result;
+  }
+
+  mpfr_srcptr low() const { return m_low.get(); }
+  mpfr_srcptr high() const { return m_high.get(); }
+  mpfr_prec_t precision() const { return mpfr_get_prec(m_low.get()); }
+
   // 1 or -1; 0 if the interval contains 0.
   int certain_sign() const
   {

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -42,8 +43,8 @@ public:
   struct Place
   {
     std::size_t plane; // number of the plane that the point is measured in
-    Rational height;
-    Rational right;    // of the origin of the plane, times |n|
+    Integer height;
+    Integer right;     // of the origin of the plane, times |n|
   };
 
   // None if the strip is not prismatic, or is one of a single plane as far as intervals of doubles tell.
@@ -51,7 +52,10 @@ public:
   static std::optional<Prismatic_strip> make(const Surface& s, const std::vector<Halfedge>& strip)
   {
     Prismatic_strip result(s, strip);
-    if(!result.may_be_prismatic() || !result.find_planes())
+    if(!result.may_be_prismatic() || !result.first_edges_are_parallel())
+      return std::nullopt;
+    result.take_points();
+    if(!result.find_planes())
       return std::nullopt;
     return result;
   }
@@ -74,36 +78,37 @@ public:
   // The sign of the turn from a over b to c, positive to the left.
   Proved_sign turn(const Place& a, const Place& b, const Place& c) const
   {
-    const Rational up_to_b = b.height - a.height, up_to_c = c.height - b.height;
+    const Integer up_to_b = b.height - a.height, up_to_c = c.height - b.height;
     if(up_to_b == 0 && up_to_c == 0)
       return Proved_sign::ZERO;
-    std::vector<Rational> coefficients(m_planes.size());
+    std::vector<Integer> coefficients(m_planes.size());
     add_way(a, b, up_to_c, coefficients);
     add_way(b, c, -up_to_b, coefficients);
     return sign_of(coefficients);
   }
 
   // That of all places at a vertex.
-  Rational height(Vertex v) const { return dot(m_surface->rational_point(v), m_direction); }
+  Integer height(Vertex v) const { return dot(point(v), m_direction); }
 
   // POSITIVE if b lies to the right of a, the direction e pointing up.
   Proved_sign way_right(const Place& a, const Place& b) const
   {
-    std::vector<Rational> coefficients(m_planes.size());
+    std::vector<Integer> coefficients(m_planes.size());
     add_way(a, b, 1, coefficients);
     return sign_of(coefficients);
   }
 
 private:
-  typedef std::array<Rational, 3> Vector;
+  // in units of a common denominator of all coordinates: rational arithmetic would look for divisors all the time
+  typedef std::array<Integer, 3> Vector;
   typedef std::array<Interval_nt<false>, 3> Interval_vector;
 
   struct Plane
   {
     Vector origin;         // a point
     Vector right;          // e x n
-    Rational square_norm;  // of n
-    Rational width;        // from the origin to the edge that leads into the next plane, times |n|
+    Integer square_norm;   // of n
+    Integer width;         // from the origin to the edge that leads into the next plane, times |n|
   };
 
   Prismatic_strip(const Surface& s, const std::vector<Halfedge>& strip) : m_surface(&s), m_strip(strip) {}
@@ -120,9 +125,13 @@ private:
     return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
   }
 
-  static Rational dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static Integer dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-  static bool is_zero(const Vector& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
+  template <class V>
+  static bool is_zero(const V& v)
+  {
+    return v[0] == 0 && v[1] == 0 && v[2] == 0;
+  }
 
   static bool may_be_zero(const Interval_vector& v)
   {
@@ -144,10 +153,14 @@ private:
     return cross(interval_vector(h), interval_vector(m_surface->next(h)));
   }
 
-  Vector vector(Halfedge h) const
+  std::array<Rational, 3> rational_vector(Halfedge h) const
   {
     return difference(m_surface->rational_point(m_surface->target(h)), m_surface->rational_point(m_surface->source(h)));
   }
+
+  const Vector& point(Vertex v) const { return m_points.at(v); }
+
+  Vector vector(Halfedge h) const { return difference(point(m_surface->target(h)), point(m_surface->source(h))); }
 
   Vector normal(Halfedge h) const { return cross(vector(h), vector(m_surface->next(h))); }
 
@@ -155,20 +168,60 @@ private:
   bool may_be_prismatic()
   {
     Interval_nt<false>::Protector upward;
-    std::vector<bool> is_bent;
     for(Halfedge h : m_strip)
     {
-      is_bent.push_back(!may_be_zero(cross(interval_normal(h), interval_normal(m_surface->opposite(h)))));
-      if(is_bent.back() && !m_direction_edge)
+      m_is_bent.push_back(!may_be_zero(cross(interval_normal(h), interval_normal(m_surface->opposite(h)))));
+      if(m_is_bent.back() && !m_direction_edge)
         m_direction_edge = h;
     }
     if(!m_direction_edge)
       return false;
     const Interval_vector e = interval_vector(*m_direction_edge);
     for(std::size_t i = 0; i < m_strip.size(); ++i)
-      if(is_bent[i] && !may_be_zero(cross(interval_vector(m_strip[i]), e)))
+      if(m_is_bent[i] && !may_be_zero(cross(interval_vector(m_strip[i]), e)))
         return false;
     return true;
+  }
+
+  // Whether the first two edges that must be parallel to e are: a strip that was rotated in doubles ends here.
+  bool first_edges_are_parallel() const
+  {
+    const auto e = rational_vector(*m_direction_edge);
+    std::size_t checked = 0;
+    for(std::size_t i = 0; i < m_strip.size() && checked < 2; ++i)
+      if(m_is_bent[i] && m_strip[i] != *m_direction_edge)
+      {
+        if(!is_zero(cross(rational_vector(m_strip[i]), e)))
+          return false;
+        ++checked;
+      }
+    return true;
+  }
+
+  void take_points()
+  {
+    std::map<Vertex, std::array<Rational, 3> > points;
+    const auto take = [&](Vertex v) {
+      if(points.count(v) == 0)
+        points.emplace(v, m_surface->rational_point(v));
+    };
+    take(apex(m_strip.front()));
+    for(Halfedge h : m_strip)
+    {
+      take(m_surface->source(h));
+      take(m_surface->target(h));
+      take(apex(m_surface->opposite(h)));
+    }
+    Integer unit = 1;
+    for(const auto& p : points)
+      for(const Rational& x : p.second)
+        unit = lcm(unit, denominator(x));
+    for(const auto& p : points)
+    {
+      Vector& scaled = m_points[p.first];
+      for(std::size_t i = 0; i < 3; ++i)
+        scaled[i] = numerator(p.second[i]) * (unit / denominator(p.second[i]));
+    }
   }
 
   bool find_planes()
@@ -183,15 +236,14 @@ private:
       const Halfedge o = m_surface->opposite(h);
       if(is_zero(cross(vector(h), m_direction)))
       {
-        m_planes.back().width = right(m_surface->rational_point(m_surface->source(h)), m_planes.back());
+        m_planes.back().width = right(point(m_surface->source(h)), m_planes.back());
         n = normal(o);
         if(!add_plane(o))
           return false;
       }
       else
       {
-        const Vector across = difference(m_surface->rational_point(apex(o)),
-                                         m_surface->rational_point(m_surface->source(h)));
+        const Vector across = difference(point(apex(o)), point(m_surface->source(h)));
         if(dot(n, across) != 0 || dot(n, normal(o)) <= 0)
           return false; // not coplanar, or folded back
       }
@@ -206,24 +258,23 @@ private:
     const Vector n = normal(h);
     if(is_zero(n) || dot(n, m_direction) != 0)
       return false;
-    m_planes.push_back({m_surface->rational_point(m_surface->source(h)), cross(m_direction, n), dot(n, n), 0});
+    m_planes.push_back({point(m_surface->source(h)), cross(m_direction, n), dot(n, n), 0});
     return true;
   }
 
-  static Rational right(const Vector& point, const Plane& plane)
+  static Integer right(const Vector& point, const Plane& plane)
   {
     return dot(difference(point, plane.origin), plane.right);
   }
 
   Place place(Vertex v, std::size_t face) const
   {
-    const Vector p = m_surface->rational_point(v);
     const std::size_t plane = m_plane_of_face[face];
-    return {plane, height(v), right(p, m_planes[plane])};
+    return {plane, height(v), right(point(v), m_planes[plane])};
   }
 
   // Adds the way to the right from a to b, times a factor, to the coefficients of 1 / |n| of the planes.
-  void add_way(const Place& a, const Place& b, const Rational& factor, std::vector<Rational>& coefficients) const
+  void add_way(const Place& a, const Place& b, const Integer& factor, std::vector<Integer>& coefficients) const
   {
     if(factor == 0)
       return;
@@ -235,18 +286,20 @@ private:
       coefficients[i] -= factor * m_planes[i].width;
   }
 
-  Proved_sign sign_of(const std::vector<Rational>& coefficients) const
+  Proved_sign sign_of(const std::vector<Integer>& coefficients) const
   {
     Root_sum sum;
     for(std::size_t i = 0; i < coefficients.size(); ++i)
       if(coefficients[i] != 0)
-        sum.add(coefficients[i], 1 / m_planes[i].square_norm);
+        sum.add(Rational(coefficients[i]), 1 / Rational(m_planes[i].square_norm));
     return proved_sign(sum.sign());
   }
 
   const Surface* m_surface;
   std::vector<Halfedge> m_strip;
   std::optional<Halfedge> m_direction_edge;
+  std::vector<bool> m_is_bent;              // of each edge: whether intervals show that its faces are not coplanar
+  std::map<Vertex, Vector> m_points;
   Vector m_direction;                       // e
   std::vector<Plane> m_planes;              // in the order of the strip
   std::vector<std::size_t> m_plane_of_face; // of the face before each edge, and of the last face

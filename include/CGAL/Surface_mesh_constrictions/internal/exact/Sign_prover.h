@@ -100,7 +100,8 @@ public:
     if(!contains(wanted))
       return result;
     m_corners.begin_expression();
-    m_statistics.multiprecision += decide_at(128, expression, wanted, result);
+    for(mpfr_prec_t precision = 128; precision <= 256 && contains(wanted); precision *= 2)
+      m_statistics.multiprecision += decide_at(precision, expression, wanted, result);
     if(contains(wanted))
       decide_close_to_zero(expression, wanted, result);
     return result;
@@ -188,7 +189,7 @@ private:
     return std::find(wanted.begin(), wanted.end(), true) != wanted.end();
   }
 
-  // For values that 128 bits do not tell from zero.
+  // For values that 256 bits do not tell from zero.
   template <class Expression>
   void decide_close_to_zero(const Expression& expression, const std::vector<bool>& wanted,
                             std::vector<Proved_sign>& result)
@@ -202,9 +203,9 @@ private:
       m_statistics.algebra +=
           find_nonzero<Radical_arithmetic<Surface> >(basis, expression, unproved, nonzero, result, true);
     }
-    for(mpfr_prec_t precision = 256; contains(nonzero); precision *= 2)
+    for(mpfr_prec_t precision = 512; contains(nonzero); precision *= 2)
       decide_at(precision, expression, nonzero, result);
-    for(mpfr_prec_t precision = 256; contains(unproved) && precision <= max_precision_of_unproved; precision *= 2)
+    for(mpfr_prec_t precision = 512; contains(unproved) && precision <= max_precision_of_unproved; precision *= 2)
       m_statistics.multiprecision += decide_at(precision, expression, unproved, result);
     m_statistics.unproved += static_cast<std::size_t>(std::count(unproved.begin(), unproved.end(), true));
   }

@@ -65,8 +65,8 @@ Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vec
       },
       [&] {
         return ties([&](const Prismatic_strip<Surface>& prism) {
-          const Proved_sign rise = proved_sign(Rational(prism.height(s.target(strip[high])) -
-                                                        prism.height(s.source(strip[low]))));
+          const Proved_sign rise = proved_sign(Integer(prism.height(s.target(strip[high])) -
+                                                       prism.height(s.source(strip[low]))));
           return prism.way_right(prism.corner(0, Curve_side::LEFT), prism.corner(strip.size(), Curve_side::LEFT)) ==
                          Proved_sign::POSITIVE
                      ? rise
