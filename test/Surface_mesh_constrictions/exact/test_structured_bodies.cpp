@@ -9,8 +9,11 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Certifier.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Prismatic_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Root_sum.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
@@ -20,7 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 namespace test_structured_bodies {
@@ -150,6 +153,85 @@ TEST(RootSum, IsZeroOnlyIfEachSquareClassCancels)
     EXPECT_EQ(less.sign(), -1);
   }
   EXPECT_EQ(Root_sum().sign(), 0);
+}
+
+// What a prismatic strip says of three corners is what the unfolded strip says, whose coordinates are products of roots.
+TEST(PrismaticStrip, TurnsAsTheUnfoldedStripDoes)
+{
+  typedef internal::Imported_surface<test_meshes::Mesh, Point_map> Surface;
+  std::mt19937 random(7);
+  int zeros = 0;
+  for(int n : {3, 4, 5, 6})
+  {
+    const auto polygon = exact_models::polygon(n);
+    std::vector<std::vector<Position> > rings;
+    for(int r = 0; r < 5; ++r)
+      rings.push_back(exact_models::ring(polygon, 1, 300 * r));
+    const Curve mesh(exact_models::tube(rings), {});
+    const Surface surface(mesh.pm, mesh.imported, mesh.mesh.points());
+    internal::Sign_prover<Surface> prover(surface);
+    for(int round = 0; round < 60; ++round)
+    {
+      // around the wall by its diagonals and its upright edges, through one or another row
+      std::vector<Index> strip = {static_cast<Index>(random() % (3 * mesh.mesh.number_of_faces()))};
+      for(std::size_t length = 2 + random() % 8; strip.size() < length;)
+      {
+        const Index o = mesh.pm.opposite(strip.back());
+        strip.push_back(random() % 2 == 0 ? mesh.pm.next(o) : mesh.pm.prev(o));
+      }
+      const auto prism = internal::Prismatic_strip<Surface>::make(surface, strip);
+      if(!prism)
+        continue;
+      const auto corners = internal::strip_corners(surface, strip);
+      for(int k = 0; k < 10; ++k)
+      {
+        internal::Strip_corner c[3];
+        for(auto& x : c)
+          x = corners[random() % corners.size()];
+        const auto sign = prover.sign([&](const auto& arithmetic, auto& value) {
+          typedef typename std::decay_t<decltype(arithmetic)>::NT NT;
+          const internal::Planar<NT> one(arithmetic.number(1), arithmetic.number(0));
+          const internal::Planar<NT> zero(arithmetic.number(0), arithmetic.number(0));
+          const auto unfolded = internal::unfold(surface, arithmetic, {one, zero}, strip);
+          const auto at = [&](int i) { return unfolded.portals[c[i].portal].end(c[i].side); };
+          value[0] = internal::determinant(at(1) - at(0), at(2) - at(1));
+        });
+        const auto place = [&](int i) { return prism->corner(c[i].portal, c[i].side); };
+        EXPECT_EQ(prism->turn(place(0), place(1), place(2)), sign);
+        zeros += sign == internal::Proved_sign::ZERO && c[0].portal != c[1].portal && c[1].portal != c[2].portal &&
+                 c[0].portal != c[2].portal;
+      }
+    }
+  }
+  EXPECT_GT(zeros, 50);
+}
+
+// Strips that are bent about more than one direction, or folded back, are none.
+TEST(PrismaticStrip, IsNoneAroundACornerOrOnACone)
+{
+  typedef internal::Imported_surface<test_meshes::Mesh, Point_map> Surface;
+  const auto polygon = exact_models::polygon(5);
+  for(double factor : {1., 1.001})
+  {
+    const Soup soup = exact_models::tube({exact_models::ring(polygon, 1, 0), exact_models::ring(polygon, factor, 500)});
+    const Curve mesh(soup, {});
+    const Surface surface(mesh.pm, mesh.imported, mesh.mesh.points());
+    std::vector<Index> strip;
+    const auto cross = [&](std::size_t u, std::size_t v) {
+      strip.push_back(mesh.pm.halfedge(static_cast<Index>(u), static_cast<Index>(v)));
+    };
+    const auto at = [&](std::size_t i, double f, double z) {
+      return exact_models::vertices_at(soup, {exact_models::ring(polygon, f, z)[i]}).front();
+    };
+    cross(at(1, 1, 0), at(1, factor, 500));
+    cross(at(1, 1, 0), at(2, factor, 500));
+    cross(at(2, 1, 0), at(2, factor, 500));
+    EXPECT_EQ(static_cast<bool>(internal::Prismatic_strip<Surface>::make(surface, strip)), factor == 1.);
+    // over the rim
+    strip.pop_back();
+    cross(at(1, 1, 0), at(2, 1, 0));
+    EXPECT_FALSE(internal::Prismatic_strip<Surface>::make(surface, strip));
+  }
 }
 
 // The bore of a washer is a flat band, whose ends are its rims. Each ring of it is held, whatever the number of sides.

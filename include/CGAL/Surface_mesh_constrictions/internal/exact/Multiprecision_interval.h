@@ -12,37 +12,62 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// A floating-point number of MPFR.
+// A floating-point number of MPFR. Up to 256 bits its digits are stored in place: to ask for memory takes longer than to
+// compute with them.
 class Multiprecision_number
 {
 public:
-  explicit Multiprecision_number(mpfr_prec_t precision = MPFR_PREC_MIN)
-  {
-    mpfr_init2(m_value, precision);
-    mpfr_set_zero(m_value, 1);
-  }
+  explicit Multiprecision_number(mpfr_prec_t precision = MPFR_PREC_MIN) { initialize(precision); }
 
   Multiprecision_number(const Multiprecision_number& x)
   {
-    mpfr_init2(m_value, mpfr_get_prec(x.m_value));
+    initialize(mpfr_get_prec(x.m_value));
     mpfr_set(m_value, x.m_value, MPFR_RNDN);
   }
 
-  Multiprecision_number(Multiprecision_number&& x) : Multiprecision_number() { mpfr_swap(m_value, x.m_value); }
-
-  Multiprecision_number& operator=(Multiprecision_number x)
+  Multiprecision_number& operator=(const Multiprecision_number& x)
   {
-    mpfr_swap(m_value, x.m_value);
+    if(this == &x)
+      return *this;
+    if(mpfr_get_prec(m_value) != mpfr_get_prec(x.m_value))
+    {
+      finish();
+      initialize(mpfr_get_prec(x.m_value));
+    }
+    mpfr_set(m_value, x.m_value, MPFR_RNDN);
     return *this;
   }
 
-  ~Multiprecision_number() { mpfr_clear(m_value); }
+  ~Multiprecision_number() { finish(); }
 
   mpfr_ptr get() { return m_value; }
   mpfr_srcptr get() const { return m_value; }
 
 private:
+  static constexpr mpfr_prec_t precision_in_place = 256;
+
+  bool is_in_place() const { return mpfr_get_prec(m_value) <= precision_in_place; }
+
+  void initialize(mpfr_prec_t precision)
+  {
+    if(precision <= precision_in_place)
+    {
+      mpfr_custom_init(m_limbs, precision);
+      mpfr_custom_init_set(m_value, MPFR_ZERO_KIND, 0, precision, m_limbs);
+      return;
+    }
+    mpfr_init2(m_value, precision);
+    mpfr_set_zero(m_value, 1);
+  }
+
+  void finish()
+  {
+    if(!is_in_place())
+      mpfr_clear(m_value);
+  }
+
   mpfr_t m_value;
+  mp_limb_t m_limbs[(precision_in_place + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS];
 };
 
 // Bounds of a real number, rounded outwards. Results have the precision of the more precise operand.
