@@ -267,7 +267,7 @@ TEST(SignProver, EachStageDecidesWhatItIsFor)
   EXPECT_EQ(prover.statistics().algebra, 1u);
 }
 
-TEST(SignProver, NumbersBelow128BitsAreProvedNonzeroAndGetTheirSign)
+TEST(SignProver, NumbersBelow256BitsAreProvedNonzeroAndGetTheirSign)
 {
   // the face of the tetrahedron whose area is irrational
   const Mesh mesh = test_meshes::make_mesh(test_meshes::tetrahedron());
@@ -277,9 +277,9 @@ TEST(SignProver, NumbersBelow128BitsAreProvedNonzeroAndGetTheirSign)
     return [&mesh, h, sign](const auto& arithmetic, auto& values) {
       const auto sum = arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h));
       auto power = arithmetic.number(sign);
-      for(int i = 0; i < 600; ++i)
+      for(int i = 0; i < 2000; ++i)
         power = power * arithmetic.ratio(h).x();
-      values[0] = sum.y() + power; // 0, or a positive or negative number far below 128 bits
+      values[0] = sum.y() + power; // 0, or a positive or negative number far below 256 bits
     };
   };
   Sign_prover<Surface> prover(surface);

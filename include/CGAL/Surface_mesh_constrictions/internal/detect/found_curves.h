@@ -179,8 +179,8 @@ struct Certified_curves
 };
 
 // Whether nothing is proved against a curve that has no certificate: a sign stayed open, be it one that the certificate
-// rests on, or one that was needed to go on where an angle is too small by less than rounding sees. Up to rounding it is a
-// simple closed geodesic.
+// rests on, or one that was needed to go on where an angle is too small by less than rounding sees. Up to rounding it
+// is a simple closed geodesic.
 inline bool remains_open(const Progressive_mesh& pm, const std::vector<Arc>& arcs, Certificate_verdict verdict)
 {
   if(arcs.empty() || (verdict != Certificate_verdict::TIE_NOT_PROVED && verdict != Certificate_verdict::NOT_STRAIGHT &&
@@ -192,9 +192,9 @@ inline bool remains_open(const Progressive_mesh& pm, const std::vector<Arc>& arc
   return is_simple(pm, trace(pm, arcs));
 }
 
-// Certifies curves, drops those that are proved to be no constrictions, and merges those that have become the same. What
-// remains open stays if `keeps_open`, with a certificate that says why. make_settler() makes an Exact_settler. Calls
-// on_step() with the number of curves done.
+// Certifies curves, drops those that are proved to be no constrictions, and merges those that have become the same.
+// What remains open stays if `keeps_open`, with a certificate that says why. make_settler() makes an Exact_settler.
+// Calls on_step() with the number of curves done.
 template <class ConcurrencyTag, class MakeSettler, class Progress>
 void certify_found(Curve_network& network, const MakeSettler& make_settler, double unit, bool keeps_open,
                    const std::vector<Refined_curve>& refined, std::vector<Found_curve>& found,

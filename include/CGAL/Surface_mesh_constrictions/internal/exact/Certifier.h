@@ -28,8 +28,8 @@ struct Known_of_arc
   bool is_straight = false;
   Rounded_directions directions; // if it is straight
   bool has_angles = false;
-  // for the left and the right: the sign of the side angle - pi, and whether it goes around the whole pivot if both arcs
-  // are in one face
+  // for the left and the right: the sign of the side angle - pi, and whether it goes around the whole pivot if both
+  // arcs are in one face
   std::array<Proved_sign, 2> beyond_pi = {{Proved_sign::UNPROVED, Proved_sign::UNPROVED}};
   std::array<bool, 2> is_whole_turn = {{false, false}};
 };

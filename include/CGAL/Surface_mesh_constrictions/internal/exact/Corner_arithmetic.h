@@ -79,8 +79,8 @@ private:
   const Surface& m_surface;
 };
 
-// The rational numbers that corners are made of, and the complex numbers rounded to `kept_precision` bits, computed once
-// for each corner.
+// The rational numbers that corners are made of, and the complex numbers rounded to `kept_precision` bits, computed
+// once for each corner.
 template <class Surface>
 class Rational_corners
 {

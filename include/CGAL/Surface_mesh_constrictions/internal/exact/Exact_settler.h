@@ -33,14 +33,14 @@ namespace internal {
 
 // Certifies curves that were tightened in floating point. Where rounding chose the wrong side of a near tie, the
 // combinatorics are corrected as the tightening would have done with exact numbers: an arc that is not straight is
-// pulled in its strip, and a curve is led around the pivots that it makes too small an angle at, or out of the flat band
-// that leaks.
+// pulled in its strip, and a curve is led around the pivots that it makes too small an angle at, or out of the flat
+// band that leaks.
 //
-// Near a flat band, or along a strip that is nearly straight, hundreds of pivots may be wrong at a time. All of them are
-// passed at once, and the string is pulled from one right pivot to the next, or in the closed strip if there is none.
-// The curve lies in the closure of these strips and is bent at pivots on their boundary, so what is pulled is shorter;
-// only slipping out of a leaking band leaves the length as it is, and the next step shortens. So no curve comes up
-// twice, and as there are finitely many that are no longer than the first one, the correction ends.
+// Near a flat band, or along a strip that is nearly straight, hundreds of pivots may be wrong at a time. All of them
+// are passed at once, and the string is pulled from one right pivot to the next, or in the closed strip if there is
+// none. The curve lies in the closure of these strips and is bent at pivots on their boundary, so what is pulled is
+// shorter; only slipping out of a leaking band leaves the length as it is, and the next step shortens. So no curve
+// comes up twice, and as there are finitely many that are no longer than the first one, the correction ends.
 template <class TriangleMesh, class VertexPointMap>
 class Exact_settler
 {
@@ -307,8 +307,8 @@ private:
 
   // A curve all of whose pivots are wrong is led through a closed strip, where it is shortest through the corner that
   // reaches furthest into it. In a strip so wide that it unfolds over its own centre that may be another one: then
-  // corners are tried from the one with the shortest loop on. The loop is the shortest curve of the strip if it makes no
-  // angle below pi towards the strip at its corner.
+  // corners are tried from the one with the shortest loop on. The loop is the shortest curve of the strip if it makes
+  // no angle below pi towards the strip at its corner.
   bool lead_loop_around_pivots(Exact_curve& curve, std::vector<Known_of_arc>& known)
   {
     const Closed_strip strip(m_pm, strip_past_pivots(curve, known, 0, curve.size(), true));

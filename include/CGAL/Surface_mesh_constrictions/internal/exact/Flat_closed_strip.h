@@ -85,7 +85,8 @@ public:
           [&](std::size_t i) {
             if(!heights)
               heights = heights_on_prism();
-            return heights->empty() ? Proved_sign::UNPROVED : proved_sign(Integer((*heights)[others[i]] - (*heights)[best]));
+            return heights->empty() ? Proved_sign::UNPROVED
+                                    : proved_sign(Integer((*heights)[others[i]] - (*heights)[best]));
           });
       const auto it = std::find(signs.begin(), signs.end(), nearer);
       if(it != signs.end())

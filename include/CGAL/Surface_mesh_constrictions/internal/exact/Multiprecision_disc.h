@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// An upper bound mantissa * 2^exponent of a number that is not negative, of any size: radii of many thousand bits are no
-// doubles. The operations add what they may lose by rounding, in whatever direction.
+// An upper bound mantissa * 2^exponent of a number that is not negative, of any size: radii of many thousand bits are
+// no doubles. The operations add what they may lose by rounding, in whatever direction.
 class Upper_bound
 {
 public:
@@ -88,8 +88,8 @@ private:
   long m_exponent = 0;
 };
 
-// As discs, for the same reason as over intervals of doubles: boxes of any precision are of no use where they are turned
-// hundreds of times.
+// As discs, for the same reason as over intervals of doubles: boxes of any precision are of no use where they are
+// turned hundreds of times.
 template <>
 class Planar<Multiprecision_interval>
 {

@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// A floating-point number of MPFR. Up to 256 bits its digits are stored in place: to ask for memory takes longer than to
-// compute with them.
+// A floating-point number of MPFR. Up to 256 bits its digits are stored in place: to ask for memory takes longer than
+// to compute with them.
 class Multiprecision_number
 {
 public:

@@ -197,8 +197,8 @@ private:
         });
   }
 
-  // The same if the curve, led past the pivot on this side, runs on a prism: there the side angle is less than pi if and
-  // only if the way from the one end over the pivot to the other turns to this side.
+  // The same if the curve, led past the pivot on this side, runs on a prism: there the side angle is less than pi if
+  // and only if the way from the one end over the pivot to the other turns to this side.
   Proved_sign sign_on_prism()
   {
     const Surface& s = m_prover.surface();
