@@ -22,7 +22,7 @@ struct Detection_statistics
   std::size_t merged = 0;       ///< seeds that ended in a curve that another seed had found
   std::size_t not_selected = 0; ///< distinct closed geodesics that were found and are not returned
   std::size_t leaky_bands = 0;  ///< times a curve slipped out of a flat band that leaks, and went on shortening
-  std::size_t not_certified = 0; ///< seeds that ended in a curve that could not be proved to be a constriction
+  std::size_t not_certified = 0; ///< seeds that ended in a curve that was left out as it is not certified
   std::size_t corrected = 0;    ///< curves whose combinatorics rounding had got wrong, put right by exact arithmetic
   Sign_statistics signs;        ///< how the signs were decided that the certificates rest on
 };

@@ -112,9 +112,15 @@ namespace Surface_mesh_constrictions {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has
-///                           led it astray. Then only curves with a certificate are returned.}
+///                           led it astray. What is proved to be no constriction is not returned.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{certified_only}
+///     \cgalParamDescription{whether to leave out curves of which a sign stayed open, so that neither is proved: that
+///                           they are constrictions, or that they are not. Their certificates say which sign.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{first_constriction_only}
 ///     \cgalParamDescription{whether to stop at the first seed curve, and follow that one only. It may degenerate: then
@@ -183,6 +189,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Detection_visitor_base());
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
+  const bool certified_only = choose_parameter(get_parameter(np, internal_np::certified_only), false);
   const bool selects_all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
   const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                                 default_maximum_isoperimetric_ratio);
@@ -229,7 +236,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
     if(certifies)
       internal::certify_found<Certification_tag>(
           network, [&] { return internal::Exact_settler<TriangleMesh, Vertex_point_map>(pm, imported, vpm); },
-          imported.unit(), refined, curves, statistics, on_step);
+          imported.unit(), !certified_only, refined, curves, statistics, on_step);
   };
   visitor.on_stage_begin(Detection_stage::CERTIFICATION, certifies ? found.size() : 0);
   certify(found, [&visitor](std::size_t i) { visitor.on_step(Detection_stage::CERTIFICATION, i); });
@@ -237,9 +244,10 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
 
   visitor.on_stage_begin(Detection_stage::SELECTION, found.size());
   internal::Detected_hierarchy hierarchy(pm, coarse ? &*coarse : nullptr, sides, network);
-  statistics.merged += hierarchy.close<ConcurrencyTag>(found, refined, seeds, [&](std::vector<internal::Found_curve>& curves) {
-    certify(curves, [](std::size_t) {});
-  });
+  statistics.merged +=
+      hierarchy.close<ConcurrencyTag>(found, refined, seeds, [&](std::vector<internal::Found_curve>& curves) {
+        certify(curves, [](std::size_t) {});
+      });
   statistics.seeds = seeds.size();
   internal::Constriction_maker<TriangleMesh> maker(imported, pm, sides);
   std::vector<Constriction<TriangleMesh> > constrictions, selected;

@@ -34,6 +34,7 @@ enum seed_sources_t { seed_sources };
 enum simplification_policies_t { simplification_policies };
 enum first_constriction_only_t { first_constriction_only };
 enum certify_t { certify };
+enum certified_only_t { certified_only };
 enum minimum_prominence_t { minimum_prominence };
 enum maximum_isoperimetric_ratio_t { maximum_isoperimetric_ratio };
 enum maximum_number_of_constrictions_t { maximum_number_of_constrictions };
@@ -100,6 +101,12 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(first_constriction_only)
 /// Type: `bool`. Default: `true`.
 /// Of `detect_constrictions()`, `detect_constrictions_near()` and `tighten_closed_curves()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certify)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Whether to leave out curves of which a sign stayed open, so that neither is proved: that they are constrictions, or
+/// that they are not. Their `Certificate` says which. Type: `bool`. Default: `false`.
+/// Of `detect_constrictions()`.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certified_only)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// The prominence that a constriction has at least, to be selected or to cut. Type: `double`.

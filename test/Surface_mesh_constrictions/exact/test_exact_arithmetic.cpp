@@ -8,6 +8,7 @@
 #include <CGAL/MP_Float.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Finite_field_number.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Multiprecision_disc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Multiprecision_interval.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Radical_number.h>
@@ -24,6 +25,7 @@
 #include <cstdint>
 #include <random>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace test_exact_arithmetic {
@@ -46,6 +48,38 @@ TEST(ExactRational, OfEveryKindOfNumber)
   EXPECT_EQ(*exact_rational(CGAL::sqrt(Root(9)) / Root(4)), fraction(9, 12));
   EXPECT_FALSE(exact_rational(CGAL::sqrt(Root(2))));
   EXPECT_FALSE(exact_rational(Root(1e20) + Root(1) / Root(3))); // whose neighbouring integers are no doubles
+}
+
+// A turned box grows by a factor each time; a disc does not.
+TEST(MultiprecisionDisc, HoldsTheExactPointAndStaysSmallWhereItIsTurned)
+{
+  for(mpfr_prec_t precision : {128, 256, 600, 4000})
+  {
+    const auto interval = [precision](const Rational& x) { return Multiprecision_interval(x, precision); };
+    typedef Planar<Multiprecision_interval> Disc;
+    std::mt19937 random(1);
+    std::uniform_int_distribution<int> integer(-20, 20);
+    Planar<Rational> exact(1, 0), exact_sum(0, 0);
+    Disc disc(interval(1), interval(0)), sum(interval(0), interval(0));
+    for(int i = 0; i < 300; ++i)
+    {
+      // a rotation by a rational point of the circle
+      const int m = integer(random), n = 21 + integer(random) / 2, square = m * m + n * n;
+      const Rational x = fraction(n * n - m * m, square), y = fraction(2 * m * n, square);
+      exact = exact * Planar<Rational>(x, y);
+      disc = disc * Disc(interval(x), interval(y));
+      exact_sum = exact_sum + conjugate(exact);
+      sum = sum - (Disc(interval(0), interval(0)) - conjugate(disc));
+    }
+    const Rational small = 1 / Rational(Integer(1) << static_cast<unsigned>(precision - 20));
+    for(const auto& difference : {std::make_pair(disc.x(), exact.x()), std::make_pair(disc.y(), exact.y()),
+                                  std::make_pair(sum.x(), exact_sum.x()), std::make_pair(sum.y(), exact_sum.y())})
+    {
+      EXPECT_EQ((difference.first - interval(difference.second)).certain_sign(), 0);
+      EXPECT_EQ((difference.first - interval(difference.second + small)).certain_sign(), -1);
+      EXPECT_EQ((difference.first - interval(difference.second - small)).certain_sign(), 1);
+    }
+  }
 }
 
 TEST(SquareRootBasis, ReducesToSquareClasses)
@@ -233,7 +267,7 @@ TEST(SignProver, EachStageDecidesWhatItIsFor)
   EXPECT_EQ(prover.statistics().algebra, 1u);
 }
 
-TEST(SignProver, NumbersBelow128BitsAreProvedNonzeroAndGetTheirSign)
+TEST(SignProver, NumbersBelow256BitsAreProvedNonzeroAndGetTheirSign)
 {
   // the face of the tetrahedron whose area is irrational
   const Mesh mesh = test_meshes::make_mesh(test_meshes::tetrahedron());
@@ -243,9 +277,9 @@ TEST(SignProver, NumbersBelow128BitsAreProvedNonzeroAndGetTheirSign)
     return [&mesh, h, sign](const auto& arithmetic, auto& values) {
       const auto sum = arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h));
       auto power = arithmetic.number(sign);
-      for(int i = 0; i < 600; ++i)
+      for(int i = 0; i < 2000; ++i)
         power = power * arithmetic.ratio(h).x();
-      values[0] = sum.y() + power; // 0, or a positive or negative number far below 128 bits
+      values[0] = sum.y() + power; // 0, or a positive or negative number far below 256 bits
     };
   };
   Sign_prover<Surface> prover(surface);

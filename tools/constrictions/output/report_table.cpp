@@ -17,7 +17,22 @@ const char* name(const CGAL::Surface_mesh_constrictions::Certificate& certificat
   using CGAL::Surface_mesh_constrictions::Certificate_verdict;
   return certificate.verdict == Certificate_verdict::STRICT_CONSTRICTION ? "strict"
          : certificate.is_certified()                                    ? "not strict"
-                                                                         : "none";
+         : certificate.verdict == Certificate_verdict::NOT_COMPUTED      ? "none"
+                                                                         : "open";
+}
+
+// Why curves have no certificate that was asked for, a line for each.
+std::string open_certificates(const Report& report)
+{
+  using CGAL::Surface_mesh_constrictions::Certificate_verdict;
+  std::ostringstream out;
+  for(std::size_t id = 0; id < report.constrictions.size(); ++id)
+  {
+    const auto& certificate = report.constrictions[id].certificate();
+    if(!certificate.is_certified() && certificate.verdict != Certificate_verdict::NOT_COMPUTED)
+      out << "curve " << id << " is " << certificate << '\n';
+  }
+  return out.str();
 }
 
 // Loops that were tightened have none.
@@ -48,6 +63,7 @@ std::string report_as_table(const Report& report)
         << setw(8) << c.pivots().size() << setw(12) << (c.is_separating() ? "yes" : "no") << setw(12) << side_name(c.side())
         << setw(12) << name(c.certificate()) << setw(12) << c.seeds().front().level << '\n';
   }
+  out << open_certificates(report);
   for(const std::string& remark : report.remarks)
     out << remark << '\n';
 

@@ -30,7 +30,7 @@ function row(curve, c, greatest) {
   fill.style.width = `${100 * Math.min(1, curve.prominence / greatest)}%`;
   bar.append(fill);
   prominence.append(bar);
-  const certificate = certificates[curve.certificate] ?? 'not certified';
+  const certificate = certificates[curve.certificate] ?? curve.certificate.replace('_', ' ');
   const more = element('span', 'more');
   more.title = certificates[curve.certificate] ? 'proved with exact arithmetic' : curve.certificate;
   const text = [curve.side, certificate, curve.separating ? 'separates' : 'does not separate'].join(' · ');

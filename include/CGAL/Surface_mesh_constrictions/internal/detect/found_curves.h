@@ -15,9 +15,11 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Group.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Curve_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/Flat_band.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 
 #include <CGAL/for_each.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -176,10 +178,25 @@ struct Certified_curves
   std::size_t corrections = 0;
 };
 
-// Certifies curves, drops those that are no constrictions, and merges those that have become the same. make_settler()
-// makes an Exact_settler. Calls on_step() with the number of curves done.
+// Whether nothing is proved against a curve that has no certificate: a sign stayed open, be it one that the certificate
+// rests on, or one that was needed to go on where an angle is too small by less than rounding sees. Up to rounding it
+// is a simple closed geodesic.
+inline bool remains_open(const Progressive_mesh& pm, const std::vector<Arc>& arcs, Certificate_verdict verdict)
+{
+  if(arcs.empty() || (verdict != Certificate_verdict::TIE_NOT_PROVED && verdict != Certificate_verdict::NOT_STRAIGHT &&
+                      verdict != Certificate_verdict::ANGLE_BELOW_PI))
+    return false;
+  for(Curve_side side : {Curve_side::LEFT, Curve_side::RIGHT})
+    if(side_angle_range(pm, arcs, side).first < CGAL_PI - flat_tolerance)
+      return false;
+  return is_simple(pm, trace(pm, arcs));
+}
+
+// Certifies curves, drops those that are proved to be no constrictions, and merges those that have become the same.
+// What remains open stays if `keeps_open`, with a certificate that says why. make_settler() makes an Exact_settler.
+// Calls on_step() with the number of curves done.
 template <class ConcurrencyTag, class MakeSettler, class Progress>
-void certify_found(Curve_network& network, const MakeSettler& make_settler, double unit,
+void certify_found(Curve_network& network, const MakeSettler& make_settler, double unit, bool keeps_open,
                    const std::vector<Refined_curve>& refined, std::vector<Found_curve>& found,
                    Detection_statistics& statistics, const Progress& on_step)
 {
@@ -216,7 +233,9 @@ void certify_found(Curve_network& network, const MakeSettler& make_settler, doub
       f.certificate = group.result.certificates[i - group.begin];
       statistics.signs = statistics.signs + f.certificate.signs;
       network.set_arcs(f.curve, group.result.arcs[i - group.begin]);
-      if(f.certificate.is_certified())
+      if(f.certificate.is_certified() ||
+         (keeps_open &&
+          remains_open(network.surface(), arcs_of_curve(network, f.curve), f.certificate.verdict)))
       {
         f.length = network.length(f.curve);
         f.band_width = f.certificate.flat_band_width / unit;

@@ -6,17 +6,33 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_flat_band.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_simplicity.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Prismatic_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Side_angle.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
 
+#include <CGAL/Interval_nt.h>
+
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
+
+// What is known of an arc, and of the pivot where it starts.
+struct Known_of_arc
+{
+  bool is_straight = false;
+  Rounded_directions directions; // if it is straight
+  bool has_angles = false;
+  // for the left and the right: the sign of the side angle - pi, and whether it goes around the whole pivot if both
+  // arcs are in one face
+  std::array<Proved_sign, 2> beyond_pi = {{Proved_sign::UNPROVED, Proved_sign::UNPROVED}};
+  std::array<bool, 2> is_whole_turn = {{false, false}};
+};
 
 // What the exact arithmetic finds of a curve: the certificate, and what is needed to mend the curve.
 template <class Surface>
@@ -46,8 +62,15 @@ public:
   // Takes arcs that fit together. See `certify_constriction()` for the cost.
   Finding<Surface> examine(const std::vector<Arc>& arcs)
   {
+    std::vector<Known_of_arc> known(arcs.size());
+    return examine(arcs, known);
+  }
+
+  // As above, but decides only what is not known yet; `known` has an element for each arc, and gets what is found.
+  Finding<Surface> examine(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
+  {
     const Sign_statistics before = m_prover.statistics();
-    Finding<Surface> result = find(arcs);
+    Finding<Surface> result = find(arcs, known);
     result.certificate.signs = m_prover.statistics() - before;
     return result;
   }
@@ -62,14 +85,28 @@ public:
   // sides of the line from the one end of the arc to the other.
   Finding<Surface> examine_arc(const std::vector<Arc>& arcs, std::size_t i)
   {
+    Rounded_directions directions;
+    return examine_arc(arcs, i, directions);
+  }
+
+  // As above; sets the arc's directions at its ends.
+  Finding<Surface> examine_arc(const std::vector<Arc>& arcs, std::size_t i, Rounded_directions& directions)
+  {
     const Arc& arc = arcs[i];
     Finding<Surface> result(Certificate_verdict::NOT_COMPUTED, i);
     if(arc.is_edge())
+    {
+      const Planar<Interval_nt<false> > along(1, 0);
+      directions = {along, along};
       return result;
+    }
     const std::vector<Strip_corner> corners = strip_corners(surface(), arc.crossings);
+    Prismatic_ties<Surface> ties(surface(), arc.crossings);
     const std::vector<Proved_sign> signs =
         m_prover.signs(corners.size(), [&](const auto& arithmetic, auto& values) {
           const auto strip = unfold(surface(), arithmetic, arc);
+          if constexpr(std::is_same<std::decay_t<decltype(arithmetic)>, Interval_arithmetic<Surface> >::value)
+            directions = {strip.apex, end_direction(arithmetic, strip)};
           for(std::size_t c = 0; c < corners.size(); ++c)
             if(values.wants(c))
             {
@@ -77,6 +114,13 @@ public:
               values[c] = corners[c].side == Curve_side::LEFT ? determinant(strip.apex, portal.left)
                                                               : determinant(portal.right, strip.apex);
             }
+        },
+        [&](std::size_t c) {
+          return ties([&](const Prismatic_strip<Surface>& strip) {
+            const Proved_sign turn = strip.turn(strip.start(), strip.end(),
+                                                strip.corner(corners[c].portal, corners[c].side));
+            return corners[c].side == Curve_side::LEFT ? turn : opposite_sign(turn);
+          });
         });
     for(std::size_t c = 0; c < corners.size(); ++c)
       if(signs[c] != Proved_sign::POSITIVE)
@@ -90,34 +134,58 @@ public:
     return result;
   }
 
+  // Decides the side angles at the pivot where arc i starts, if they are not known.
+  void examine_pivot(const std::vector<Arc>& arcs, std::size_t i, std::vector<Known_of_arc>& known)
+  {
+    Known_of_arc& k = known[i];
+    if(k.has_angles)
+      return;
+    k.has_angles = true;
+    for(Curve_side side : {Curve_side::LEFT, Curve_side::RIGHT})
+    {
+      const std::size_t s = side == Curve_side::LEFT ? 0 : 1;
+      const std::size_t before = (i + arcs.size() - 1) % arcs.size();
+      const auto directions = [&known](std::size_t a) { return known[a].is_straight ? &known[a].directions : nullptr; };
+      Side_angle<Surface> angle(m_prover, arcs[before], arcs[i], side, directions(before), directions(i));
+      k.beyond_pi[s] = angle.sign_beyond_pi();
+      k.is_whole_turn[s] = angle.is_whole_turn();
+    }
+  }
+
 private:
-  Finding<Surface> find(const std::vector<Arc>& arcs)
+  Finding<Surface> find(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
   {
     for(std::size_t i = 0; i < arcs.size(); ++i)
     {
-      const Finding<Surface> f = examine_arc(arcs, i);
+      if(known[i].is_straight)
+        continue;
+      const Finding<Surface> f = examine_arc(arcs, i, known[i].directions);
       if(f.certificate.verdict != Certificate_verdict::NOT_COMPUTED)
         return f;
+      known[i].is_straight = true;
     }
 
     bool is_strict[2] = {false, false};
     for(std::size_t i = 0; i < arcs.size(); ++i)
+    {
+      examine_pivot(arcs, i, known);
       for(Curve_side side : {Curve_side::LEFT, Curve_side::RIGHT})
       {
-        Side_angle<Surface> angle(m_prover, arcs[(i + arcs.size() - 1) % arcs.size()], arcs[i], side);
-        const Proved_sign sign = angle.sign_beyond_pi();
+        const std::size_t s = side == Curve_side::LEFT ? 0 : 1;
+        const Proved_sign sign = known[i].beyond_pi[s];
         if(sign == Proved_sign::POSITIVE)
-          is_strict[side == Curve_side::LEFT ? 0 : 1] = true;
+          is_strict[s] = true;
         if(sign == Proved_sign::NEGATIVE || sign == Proved_sign::UNPROVED)
         {
           Finding<Surface> result(sign == Proved_sign::NEGATIVE ? Certificate_verdict::ANGLE_BELOW_PI
                                                                 : Certificate_verdict::TIE_NOT_PROVED, i);
           result.certificate.location = arcs[i].location;
           result.certificate.side = side;
-          result.is_whole_turn = angle.is_whole_turn();
+          result.is_whole_turn = known[i].is_whole_turn[s];
           return result;
         }
       }
+    }
 
     const auto meeting = Exact_simplicity<Surface>(m_prover, arcs).find();
     if(meeting.verdict != Certificate_verdict::NOT_COMPUTED)

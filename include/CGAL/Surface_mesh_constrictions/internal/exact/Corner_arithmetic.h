@@ -3,6 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_CORNER_ARITHMETIC_H
 
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Finite_field_number.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Multiprecision_disc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Multiprecision_interval.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Radical_number.h>
@@ -10,6 +11,8 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Square_root_basis.h>
 
 #include <CGAL/Interval_nt.h>
+
+#include <mpfr.h>
 
 #include <array>
 #include <cstddef>
@@ -76,11 +79,14 @@ private:
   const Surface& m_surface;
 };
 
-// The rational numbers that corners are made of, computed once for each corner.
+// The rational numbers that corners are made of, and the complex numbers rounded to `kept_precision` bits, computed
+// once for each corner.
 template <class Surface>
 class Rational_corners
 {
 public:
+  static constexpr mpfr_prec_t kept_precision = 128;
+
   struct Corner
   {
     Rational dot;           // (c - a).(b - a)
@@ -90,31 +96,76 @@ public:
 
   explicit Rational_corners(const Surface& surface) : m_surface(surface) {}
 
-  const Corner& operator()(typename Surface::Halfedge h)
+  // Corners that are asked for from now on are those of a new expression.
+  void begin_expression()
   {
-    const auto it = m_corners.find(h);
-    if(it != m_corners.end())
-      return it->second;
+    if(m_corners.size() > max_kept)
+      m_corners.clear();
+    m_asked_for.clear();
+    ++m_expression;
+  }
+
+  const Corner& operator()(typename Surface::Halfedge h) { return kept(h).corner; }
+
+  // The complex number corner / |b - a|^2.
+  const Planar<Multiprecision_interval>& rounded_ratio(typename Surface::Halfedge h)
+  {
+    typedef Multiprecision_interval NT;
+    Kept& k = kept(h);
+    if(!k.has_ratio)
+    {
+      const Corner& c = k.corner;
+      k.ratio = {NT(c.dot / c.square_length, kept_precision),
+                 NT::square_root(c.square_area / (c.square_length * c.square_length), kept_precision)};
+      k.has_ratio = true;
+    }
+    return k.ratio;
+  }
+
+  // of all corners that the expression has asked for
+  std::vector<Rational> radicands() const
+  {
+    std::vector<Rational> result;
+    for(const Corner* c : m_asked_for)
+      result.push_back(c->square_area);
+    return result;
+  }
+
+private:
+  typedef std::array<Rational, 3> Vector;
+
+  static constexpr std::size_t max_kept = 100000;
+
+  struct Kept
+  {
+    Corner corner;
+    Planar<Multiprecision_interval> ratio;
+    bool has_ratio = false;
+    std::size_t expression = 0; // that asked for it last
+  };
+
+  Kept& kept(typename Surface::Halfedge h)
+  {
+    const auto it = m_corners.emplace(h, Kept());
+    Kept& k = it.first->second;
+    if(it.second)
+      k.corner = compute(h);
+    if(k.expression != m_expression)
+      m_asked_for.push_back(&k.corner);
+    k.expression = m_expression;
+    return k;
+  }
+
+  Corner compute(typename Surface::Halfedge h) const
+  {
     const auto a = m_surface.source(h);
     const Vector u = vector(a, m_surface.target(h)), v = vector(a, m_surface.source(m_surface.prev(h)));
     Corner c;
     c.dot = dot(u, v);
     c.square_length = dot(u, u);
     c.square_area = c.square_length * dot(v, v) - c.dot * c.dot;
-    return m_corners.emplace(h, c).first->second;
+    return c;
   }
-
-  // of all corners that have been asked for
-  std::vector<Rational> radicands() const
-  {
-    std::vector<Rational> result;
-    for(const auto& c : m_corners)
-      result.push_back(c.second.square_area);
-    return result;
-  }
-
-private:
-  typedef std::array<Rational, 3> Vector;
 
   Vector vector(typename Surface::Vertex from, typename Surface::Vertex to) const
   {
@@ -125,7 +176,9 @@ private:
   static Rational dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
   const Surface& m_surface;
-  std::map<typename Surface::Halfedge, Corner> m_corners;
+  std::map<typename Surface::Halfedge, Kept> m_corners;
+  std::vector<const Corner*> m_asked_for; // by the expression under way
+  std::size_t m_expression = 1;
 };
 
 // By intervals of a fixed precision.
@@ -147,6 +200,8 @@ public:
 
   Planar<NT> ratio(typename Surface::Halfedge h) const
   {
+    if(m_precision == Rational_corners<Surface>::kept_precision)
+      return m_corners.rounded_ratio(h);
     const auto& c = m_corners(h);
     return {NT(c.dot / c.square_length, m_precision),
             NT::square_root(c.square_area / (c.square_length * c.square_length), m_precision)};

@@ -5,6 +5,8 @@
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
 
+#include <CGAL/Interval_nt.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -122,18 +124,29 @@ Planar<typename Arithmetic::NT> start_direction(const Surface& s, const Arithmet
   return unfold(s, arithmetic, arc).apex;
 }
 
-// The direction from `to` back into the arc, the end halfedge being the positive x axis.
+// The direction from `to` back into the arc, the end halfedge being the positive x axis; of an arc that is unfolded.
+template <class Arithmetic>
+Planar<typename Arithmetic::NT> end_direction(const Arithmetic& arithmetic,
+                                              const Unfolded_strip<typename Arithmetic::NT>& strip)
+{
+  const Planar<typename Arithmetic::NT> origin = {arithmetic.number(0), arithmetic.number(0)};
+  return relative(strip.portals.back().left - strip.apex, origin - strip.apex);
+}
+
 template <class Surface, class Arithmetic>
 Planar<typename Arithmetic::NT> end_direction(const Surface& s, const Arithmetic& arithmetic,
                                               const Exact_arc<Surface>& arc)
 {
-  typedef Planar<typename Arithmetic::NT> Point;
   if(arc.is_edge())
     return {arithmetic.number(1), arithmetic.number(0)};
-  const Unfolded_strip<typename Arithmetic::NT> strip = unfold(s, arithmetic, arc);
-  const Point origin = {arithmetic.number(0), arithmetic.number(0)};
-  return relative(strip.portals.back().left - strip.apex, origin - strip.apex);
+  return end_direction(arithmetic, unfold(s, arithmetic, arc));
 }
+
+// The directions of an arc at its ends, rounded: what start_direction() and end_direction() give for intervals.
+struct Rounded_directions
+{
+  Planar<Interval_nt<false> > start, end;
+};
 
 // A corner of a strip: an end of the portals from number `portal` on, until the end on that side changes.
 struct Strip_corner

@@ -7,10 +7,14 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/other_side.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Certifier.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_string_puller.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Side_angle.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/foremost_corner.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Closed_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Flat_band.h>
@@ -18,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -28,8 +33,14 @@ namespace internal {
 
 // Certifies curves that were tightened in floating point. Where rounding chose the wrong side of a near tie, the
 // combinatorics are corrected as the tightening would have done with exact numbers: an arc that is not straight is
-// pulled in its strip, and a curve is led around the pivot that it makes too small an angle at, or out of the flat band
-// that leaks.
+// pulled in its strip, and a curve is led around the pivots that it makes too small an angle at, or out of the flat
+// band that leaks.
+//
+// Near a flat band, or along a strip that is nearly straight, hundreds of pivots may be wrong at a time. All of them
+// are passed at once, and the string is pulled from one right pivot to the next, or in the closed strip if there is
+// none. The curve lies in the closure of these strips and is bent at pivots on their boundary, so what is pulled is
+// shorter; only slipping out of a leaking band leaves the length as it is, and the next step shortens. So no curve
+// comes up twice, and as there are finitely many that are no longer than the first one, the correction ends.
 template <class TriangleMesh, class VertexPointMap>
 class Exact_settler
 {
@@ -43,27 +54,32 @@ public:
   {}
 
   // The certificate of a curve of the network after its correction. The curve has no arcs if it degenerates, and is
-  // canonical if it lies in a flat band.
-  // Costs what Certifier::examine() does if no correction is needed.
+  // canonical if it lies in a flat band. If a tie cannot be proved the curve is left as far as it was corrected.
+  // Costs what Certifier::examine() does if no correction is needed; what a step changes is examined anew, no more.
   Certificate settle(Curve_network& network, Index c)
   {
     Exact_curve curve = exact_curve(arcs_of_curve(network, c));
-    Finding<Surface> finding = m_certifier.examine(curve);
+    std::vector<Known_of_arc> known(curve.size());
+    Finding<Surface> finding = m_certifier.examine(curve, known);
     Sign_statistics signs = finding.certificate.signs;
+    const Sign_statistics before = m_certifier.prover().statistics();
     bool is_changed = false;
-    for(int step = 0; step < max_corrections && correct(curve, finding); ++step)
+    for(int step = 0; step < max_corrections && correct(curve, known, finding); ++step)
     {
       is_changed = true;
       if(curve.empty())
-      {
-        std::vector<Arc> none;
-        network.set_arcs(c, none);
-        Certificate result;
-        result.signs = signs;
-        return result;
-      }
-      finding = m_certifier.examine(curve);
-      signs = signs + finding.certificate.signs;
+        break;
+      renumber(curve);
+      finding = m_certifier.examine(curve, known);
+    }
+    signs = signs + (m_certifier.prover().statistics() - before);
+    if(curve.empty())
+    {
+      std::vector<Arc> none;
+      network.set_arcs(c, none);
+      Certificate result;
+      result.signs = signs;
+      return result;
     }
     m_corrected += is_changed;
     if(finding.certificate.verdict == Certificate_verdict::CONSTRICTION)
@@ -85,7 +101,7 @@ public:
   std::size_t number_of_corrections() const { return m_corrected; }
 
 private:
-  static constexpr int max_corrections = 1000; // of one curve
+  static constexpr int max_corrections = 100000; // of one curve; far more than any needs
 
   Exact_curve exact_curve(const std::vector<Arc>& arcs) const
   {
@@ -132,17 +148,17 @@ private:
   }
 
   // One step. False if there is nothing to correct, or no way.
-  bool correct(Exact_curve& curve, const Finding<Surface>& finding)
+  bool correct(Exact_curve& curve, std::vector<Known_of_arc>& known, const Finding<Surface>& finding)
   {
     switch(finding.certificate.verdict)
     {
     case Certificate_verdict::NOT_STRAIGHT:
-      return replace(curve, finding.arc, 1, curve[finding.arc].crossings);
+      return straighten(curve, known, finding.arc);
     case Certificate_verdict::ANGLE_BELOW_PI:
-      return curve.size() == 1 ? lead_loop_around_pivot(curve, finding) : lead_around_pivot(curve, finding);
+      return lead_around_pivots(curve, known);
     case Certificate_verdict::LEAKY_BAND:
       curve = finding.band_ends[finding.certificate.side == Curve_side::LEFT ? 0 : 1];
-      renumber(curve);
+      known.assign(curve.size(), Known_of_arc());
       return true;
     default:
       return false;
@@ -160,17 +176,27 @@ private:
     }
   }
 
-  // Replaces `count` arcs, cyclically from number `first`, by the shortest path in a strip between their ends.
-  bool replace(Exact_curve& curve, std::size_t first, std::size_t count, const Strip& strip)
+  bool straighten(Exact_curve& curve, std::vector<Known_of_arc>& known, std::size_t arc)
   {
+    std::rotate(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(arc), curve.end());
+    std::rotate(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(arc), known.end());
     Exact_curve path;
-    if(!pull(curve[first].from, strip, curve[(first + count - 1) % curve.size()].to, path))
+    if(!pull(curve[0].from, curve[0].crossings, curve[0].to, path))
       return false;
-    std::rotate(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(first), curve.end());
-    curve.erase(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(count));
-    curve.insert(curve.end(), path.begin(), path.end());
-    renumber(curve);
+    replace_front(curve, known, 1, path);
     return true;
+  }
+
+  // Replaces the first arcs of a curve, after which something is not known of the pivots at the ends of the new ones.
+  static void replace_front(Exact_curve& curve, std::vector<Known_of_arc>& known, std::size_t count,
+                            const Exact_curve& path)
+  {
+    curve.erase(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(count));
+    known.erase(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(count));
+    if(!known.empty())
+      known.front().has_angles = false;
+    curve.insert(curve.begin(), path.begin(), path.end());
+    known.insert(known.begin(), path.size(), Known_of_arc());
   }
 
   // Appends the shortest path in a strip, which is normalised first; nothing if it is a point. False if a tie could not
@@ -185,28 +211,148 @@ private:
     return true;
   }
 
-  bool lead_around_pivot(Exact_curve& curve, const Finding<Surface>& finding)
+  // The side of the pivot where an arc starts on which the curve makes too small an angle, 0 for the left and 1 for the
+  // right; -1 if there is none.
+  static int sharp_side(const Known_of_arc& k)
   {
-    const std::size_t before = (finding.arc + curve.size() - 1) % curve.size();
-    const Exact &incoming = curve[before], &outgoing = curve[finding.arc];
-    Strip strip = incoming.crossings;
-    append_fan(m_surface, incoming, outgoing, finding.certificate.side, finding.is_whole_turn, strip);
-    strip.insert(strip.end(), outgoing.crossings.begin(), outgoing.crossings.end());
-    return replace(curve, before, 2, strip);
+    return k.beyond_pi[0] == Proved_sign::NEGATIVE ? 0 : k.beyond_pi[1] == Proved_sign::NEGATIVE ? 1 : -1;
   }
 
-  // A curve with one pivot is led through a closed strip. It is shortest through one of the strip's corners; as that
-  // may be a near tie, they are tried from the one with the shortest loop on, until the exact angle there is right.
-  bool lead_loop_around_pivot(Exact_curve& curve, const Finding<Surface>& finding)
+  bool lead_around_pivots(Exact_curve& curve, std::vector<Known_of_arc>& known)
   {
-    Strip crossings = curve[0].crossings;
-    append_fan(m_surface, curve[0], curve[0], finding.certificate.side, finding.is_whole_turn, crossings);
-    const Closed_strip strip(m_pm, crossings);
+    const std::size_t n = curve.size();
+    std::size_t right = n;
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      m_certifier.examine_pivot(curve, i, known);
+      if(n > 1 && runs_back(curve, i))
+        return cut_off_spur(curve, known, i);
+      if(right == n && sharp_side(known[i]) < 0)
+        right = i;
+    }
+    if(right == n)
+      return lead_loop_around_pivots(curve, known);
+    std::rotate(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(right), curve.end());
+    std::rotate(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(right), known.end());
+
+    Exact_curve result;
+    std::vector<Known_of_arc> known_of_result;
+    bool is_new = false; // the arc before
+    for(std::size_t i = 0, end = 0; i < n; i = end)
+    {
+      end = i + 1;
+      while(end < n && sharp_side(known[end]) >= 0)
+        ++end;
+      const std::size_t size = result.size();
+      if(end == i + 1)
+      {
+        result.push_back(curve[i]);
+        known_of_result.push_back(known[i]);
+        if(is_new)
+          known_of_result.back().has_angles = false;
+        is_new = false;
+        continue;
+      }
+      if(!pull(curve[i].from, strip_past_pivots(curve, known, i, end), curve[end - 1].to, result))
+        return false;
+      known_of_result.resize(result.size());
+      is_new = true;
+      if(size == result.size() && size > 0) // the piece has shrunk to its end
+        known_of_result.back().has_angles = false;
+    }
+    if(is_new && !known_of_result.empty())
+      known_of_result.front().has_angles = false;
+    curve = std::move(result);
+    known = std::move(known_of_result);
+    return true;
+  }
+
+  // The strip of the arcs [begin, end) that passes the pivots between them on their sharp sides. If the arcs are all of
+  // the curve, from the pivot `begin` around to itself, that one is passed, too, if `is_closed`.
+  Strip strip_past_pivots(const Exact_curve& curve, const std::vector<Known_of_arc>& known, std::size_t begin,
+                          std::size_t end, bool is_closed = false) const
+  {
+    const std::size_t n = curve.size();
+    Strip strip;
+    for(std::size_t i = begin; i < end; ++i)
+    {
+      const Exact &arc = curve[i], &following = curve[(i + 1) % n];
+      const bool passes_start = is_closed || i > begin, passes_end = is_closed || i + 1 < end;
+      const int side = sharp_side(known[i]), next_side = sharp_side(known[(i + 1) % n]);
+      strip.insert(strip.end(), arc.crossings.begin(), arc.crossings.end());
+      if(arc.is_edge() && passes_start && passes_end && side != next_side)
+        strip.push_back(side == 0 ? arc.along : m_pm.opposite(arc.along)); // from one side of the edge to the other
+      if(passes_end)
+        append_fan(m_surface, arc, following, next_side == 0 ? Curve_side::LEFT : Curve_side::RIGHT,
+                   known[(i + 1) % n].is_whole_turn[static_cast<std::size_t>(next_side)], strip);
+    }
+    return strip;
+  }
+
+  // Whether the curve runs to the pivot where arc i starts and back along one edge.
+  bool runs_back(const Exact_curve& curve, std::size_t i) const
+  {
+    const Exact &incoming = curve[(i + curve.size() - 1) % curve.size()], &outgoing = curve[i];
+    return incoming.is_edge() && outgoing.is_edge() && m_pm.opposite(incoming.along) == outgoing.along;
+  }
+
+  static bool cut_off_spur(Exact_curve& curve, std::vector<Known_of_arc>& known, std::size_t tip)
+  {
+    const std::size_t before = (tip + curve.size() - 1) % curve.size();
+    std::rotate(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(before), curve.end());
+    std::rotate(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(before), known.end());
+    replace_front(curve, known, 2, Exact_curve());
+    return true;
+  }
+
+  // A curve all of whose pivots are wrong is led through a closed strip, where it is shortest through the corner that
+  // reaches furthest into it. In a strip so wide that it unfolds over its own centre that may be another one: then
+  // corners are tried from the one with the shortest loop on. The loop is the shortest curve of the strip if it makes
+  // no angle below pi towards the strip at its corner.
+  bool lead_loop_around_pivots(Exact_curve& curve, std::vector<Known_of_arc>& known)
+  {
+    const Closed_strip strip(m_pm, strip_past_pivots(curve, known, 0, curve.size(), true));
     if(strip.is_degenerate())
     {
       curve.clear();
       return true;
     }
+    Exact_curve loop;
+    if(!pull_from(strip, exactly_foremost_corner(strip), loop) && !pull_from_best_corner(strip, loop))
+      return false;
+    curve = std::move(loop);
+    known.assign(curve.size(), Known_of_arc());
+    return true;
+  }
+
+  Closed_strip::Corner exactly_foremost_corner(const Closed_strip& strip)
+  {
+    const double clear_rotation = 1e-3;
+    Sign_prover<Surface>& prover = m_certifier.prover();
+    Curve_side side = strip.inner_side();
+    int rotation = side == Curve_side::LEFT ? 1 : -1;
+    if(std::abs(strip.rotation()) < clear_rotation)
+    {
+      rotation = rotation_sign(prover, strip.crossings());
+      side = rotation >= 0 ? Curve_side::LEFT : Curve_side::RIGHT;
+    }
+    return strip.corner(side, foremost_portal(prover, strip.crossings(), side, rotation != 0));
+  }
+
+  // False if the shortest loop through a corner is not the shortest curve of the strip.
+  bool pull_from(const Closed_strip& strip, const Closed_strip::Corner& corner, Exact_curve& loop)
+  {
+    loop.clear();
+    if(!pull(corner.vertex, strip.rotated(corner), corner.vertex, loop) || loop.empty())
+      return false;
+    if(loop.size() > 1 && runs_back(loop, 0))
+      return true; // the strip closes around an edge, and turns once around its end
+    Side_angle<Surface> towards_strip(m_certifier.prover(), loop.back(), loop.front(), other_side(corner.side));
+    return towards_strip.sign_beyond_pi() != Proved_sign::NEGATIVE;
+  }
+
+  bool pull_from_best_corner(const Closed_strip& strip, Exact_curve& loop)
+  {
     String_puller puller(m_pm);
     std::vector<std::pair<double, Closed_strip::Corner> > candidates;
     for(const Closed_strip::Corner& corner : strip.corners())
@@ -214,18 +360,8 @@ private:
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for(const auto& candidate : candidates)
-    {
-      Exact_curve loop;
-      const Index v = candidate.second.vertex;
-      if(!pull(v, strip.rotated(candidate.second), v, loop) || loop.empty())
-        continue;
-      renumber(loop);
-      const Finding<Surface> found = m_certifier.examine(loop);
-      if(found.certificate.verdict == Certificate_verdict::ANGLE_BELOW_PI && found.arc == 0)
-        continue;
-      curve = std::move(loop);
-      return true;
-    }
+      if(pull_from(strip, candidate.second, loop))
+        return true;
     return false;
   }
 

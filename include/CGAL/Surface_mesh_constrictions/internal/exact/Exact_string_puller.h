@@ -3,12 +3,18 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_EXACT_STRING_PULLER_H
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Corner_arithmetic.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Multiprecision_interval.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Prismatic_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
+
+#include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -35,6 +41,8 @@ public:
   {
     m_strip = &strip;
     m_is_proved = true;
+    m_rounded.reset();
+    m_precise.reset();
     const std::vector<Corner> bends = find_bends();
     if(!m_is_proved)
       return false;
@@ -77,7 +85,47 @@ private:
     Proved_sign turn, forward;
   };
 
+  // The whole strip, unfolded once by intervals.
+  template <class NT>
+  using Unfolded = std::optional<Unfolded_strip<NT> >;
+
+  // 1, -1, or 0 if the intervals do not tell.
+  template <class Arithmetic>
+  int rounded_turn(const Arithmetic& arithmetic, Unfolded<typename Arithmetic::NT>& unfolded, const Corner& a,
+                   const Corner& b, const Corner& c) const
+  {
+    typedef Planar<typename Arithmetic::NT> Point;
+    if(!unfolded)
+    {
+      Arc whole;
+      whole.crossings = *m_strip;
+      unfolded = unfold(m_prover.surface(), arithmetic, whole);
+    }
+    const Point origin(arithmetic.number(0), arithmetic.number(0));
+    const auto position = [&](const Corner& corner) -> const Point& {
+      return corner.kind == Corner::START ? origin
+             : corner.kind == Corner::END ? unfolded->apex
+                                          : unfolded->portals[corner.portal].end(corner.side);
+    };
+    return arithmetic.certain_sign(determinant(position(b) - position(a), position(c) - position(b)));
+  }
+
   Bend bend(const Corner& a, const Corner& b, const Corner& c)
+  {
+    int turn = 0;
+    {
+      Interval_nt<false>::Protector upward;
+      turn = rounded_turn(Interval_arithmetic<Surface>(m_prover.surface()), m_rounded, a, b, c);
+    }
+    if(turn != 0)
+      m_prover.count_interval();
+    else if((turn = rounded_turn(m_prover.multiprecision_arithmetic(), m_precise, a, b, c)) != 0)
+      m_prover.count_multiprecision();
+    return turn != 0 ? Bend{proved_sign(turn), Proved_sign::UNPROVED} : exact_bend(a, b, c);
+  }
+
+  // What is left open when the whole strip is unfolded by intervals.
+  Bend exact_bend(const Corner& a, const Corner& b, const Corner& c)
   {
     // no more of the strip is unfolded than what lies between them
     std::size_t begin = m_strip->size(), end = 0;
@@ -94,6 +142,11 @@ private:
     Arc piece;
     piece.crossings.assign(m_strip->begin() + static_cast<std::ptrdiff_t>(begin),
                            m_strip->begin() + static_cast<std::ptrdiff_t>(end));
+    const auto place_on_prism = [&](const Prismatic_strip<Surface>& prism, const Corner& corner) {
+      return corner.kind == Corner::START ? prism.start()
+             : corner.kind == Corner::END ? prism.end()
+                                          : prism.corner(corner.portal - begin, corner.side);
+    };
     const std::vector<Proved_sign> signs = m_prover.signs(2, [&](const auto& arithmetic, auto& values) {
       typedef typename std::decay_t<decltype(arithmetic)>::NT NT;
       const Planar<NT> origin(arithmetic.number(0), arithmetic.number(0));
@@ -110,6 +163,11 @@ private:
       values[0] = r.y();
       if(values.wants(1))
         values[1] = r.x();
+    },
+    [&](std::size_t i) {
+      const auto prism = i == 0 ? Prismatic_strip<Surface>::make(m_prover.surface(), piece.crossings) : std::nullopt;
+      return prism ? prism->turn(place_on_prism(*prism, a), place_on_prism(*prism, b), place_on_prism(*prism, c))
+                   : Proved_sign::UNPROVED;
     });
     if(signs[0] == Proved_sign::UNPROVED || (signs[0] == Proved_sign::ZERO && signs[1] == Proved_sign::UNPROVED))
       m_is_proved = false;
@@ -188,6 +246,8 @@ private:
 
   Sign_prover<Surface>& m_prover;
   const std::vector<Halfedge>* m_strip = nullptr;
+  Unfolded<Interval_nt<false> > m_rounded;
+  Unfolded<Multiprecision_interval> m_precise;
   Corner m_apex = {Corner::START, 0, Curve_side::LEFT};
   bool m_is_proved = true;
 };

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Corner_arithmetic.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Prismatic_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
 
 #include <CGAL/Interval_nt.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -64,7 +66,8 @@ public:
   std::vector<std::size_t> nearest_corners()
   {
     const Proved_sign nearer = m_side == Curve_side::LEFT ? Proved_sign::NEGATIVE : Proved_sign::POSITIVE;
-    for(std::size_t best = 0;;)
+    std::optional<Prismatic_heights> heights;
+    for(std::size_t best = probably_nearest_corner();;)
     {
       std::vector<std::size_t> others;
       for(std::size_t i = 0; i < m_corners.size(); ++i)
@@ -78,6 +81,12 @@ public:
               if(values.wants(i))
                 values[i] = determinant(turn, portals[m_corners[others[i]]].end(m_side) -
                                                   portals[m_corners[best]].end(m_side));
+          },
+          [&](std::size_t i) {
+            if(!heights)
+              heights = heights_on_prism();
+            return heights->empty() ? Proved_sign::UNPROVED
+                                    : proved_sign(Integer((*heights)[others[i]] - (*heights)[best]));
           });
       const auto it = std::find(signs.begin(), signs.end(), nearer);
       if(it != signs.end())
@@ -140,6 +149,46 @@ public:
   }
 
 private:
+  typedef std::vector<Integer> Prismatic_heights;
+
+  // On a prism: by how much the corners lie to the left of a point of the strip, in some unit; else empty.
+  Prismatic_heights heights_on_prism() const
+  {
+    std::vector<Halfedge> turn = m_strip;
+    turn.push_back(m_strip.front());
+    Prismatic_heights result;
+    const auto prism = Prismatic_strip<Surface>::make(m_prover.surface(), turn);
+    if(!prism)
+      return result;
+    const bool is_right = prism->way_right(prism->corner(0, m_side), prism->corner(m_strip.size(), m_side)) ==
+                          Proved_sign::POSITIVE;
+    for(std::size_t c : m_corners)
+      result.push_back(is_right ? prism->height(vertex(c)) : Integer(-prism->height(vertex(c))));
+    return result;
+  }
+
+  // The corner that the curve meets first, but for rounding.
+  std::size_t probably_nearest_corner() const
+  {
+    Interval_nt<false>::Protector upward;
+    const Interval_arithmetic<Surface> arithmetic(m_prover.surface());
+    const auto portals = unfold_turn(m_prover.surface(), arithmetic, m_strip);
+    const auto turn = portals.back().right - portals.front().right;
+    std::size_t best = 0;
+    double least = 0;
+    for(std::size_t i = 0; i < m_corners.size(); ++i)
+    {
+      const double height = CGAL::to_double(determinant(turn, portals[m_corners[i]].end(m_side)));
+      const double distance = m_side == Curve_side::LEFT ? height : -height;
+      if(i == 0 || distance < least)
+      {
+        best = i;
+        least = distance;
+      }
+    }
+    return best;
+  }
+
   Vertex vertex(std::size_t portal) const
   {
     return corner_vertex(m_prover.surface(), m_strip[portal % m_strip.size()], m_side);

@@ -3,9 +3,11 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SIDE_ANGLE_H
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/other_side.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Corner_arithmetic.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Prismatic_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Rational.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
 
@@ -25,10 +27,11 @@ enum class Angle_sum { BELOW_PI, AROUND_PI, ABOVE_PI, UNKNOWN };
 // AROUND_PI means that the sum lies strictly between pi / 2 and 3 pi / 2. `product` becomes the product of the numbers
 // unless the answer is ABOVE_PI or UNKNOWN.
 template <class Arithmetic>
-Angle_sum compare_angle_sum(const Arithmetic& arithmetic, const std::vector<Planar<typename Arithmetic::NT> >& angles)
+Angle_sum compare_angle_sum(const Arithmetic& arithmetic, const std::vector<Planar<typename Arithmetic::NT> >& angles,
+                            Planar<typename Arithmetic::NT>& product)
 {
   Angle_sum sum = Angle_sum::BELOW_PI;
-  Planar<typename Arithmetic::NT> product = {arithmetic.number(1), arithmetic.number(0)};
+  product = {arithmetic.number(1), arithmetic.number(0)};
   for(const Planar<typename Arithmetic::NT>& angle : angles)
   {
     const Planar<typename Arithmetic::NT> next = product * angle;
@@ -65,6 +68,13 @@ Angle_sum compare_angle_sum(const Arithmetic& arithmetic, const std::vector<Plan
   return sum;
 }
 
+template <class Arithmetic>
+Angle_sum compare_angle_sum(const Arithmetic& arithmetic, const std::vector<Planar<typename Arithmetic::NT> >& angles)
+{
+  Planar<typename Arithmetic::NT> product;
+  return compare_angle_sum(arithmetic, angles, product);
+}
+
 // Compares with pi the angle that a curve makes at a pivot, on one side of it.
 template <class Surface>
 class Side_angle
@@ -73,10 +83,14 @@ public:
   typedef Exact_arc<Surface> Arc;
   typedef typename Surface::Halfedge Halfedge;
 
-  Side_angle(Sign_prover<Surface>& prover, const Arc& incoming, const Arc& outgoing, Curve_side side)
+  // The directions of the arcs may be given, if they are known.
+  Side_angle(Sign_prover<Surface>& prover, const Arc& incoming, const Arc& outgoing, Curve_side side,
+             const Rounded_directions* of_incoming = nullptr, const Rounded_directions* of_outgoing = nullptr)
     : m_prover(prover),
       m_incoming(incoming),
       m_outgoing(outgoing),
+      m_of_incoming(of_incoming),
+      m_of_outgoing(of_outgoing),
       m_side(side),
       m_first(side == Curve_side::LEFT ? start_halfedge(prover.surface(), outgoing)
                                        : end_halfedge(prover.surface(), incoming)),
@@ -100,8 +114,12 @@ public:
         return Proved_sign::NEGATIVE; // no more than a corner of a face
     }
     Angle_sum sum = Angle_sum::UNKNOWN;
+    int sine = 0;
     m_prover.decide_by_intervals([&](const auto& arithmetic) {
-      sum = compare_angle_sum(arithmetic, angles(arithmetic));
+      Planar<typename std::decay_t<decltype(arithmetic)>::NT> product;
+      sum = compare_angle_sum(arithmetic, angles(arithmetic), product);
+      if(sum == Angle_sum::AROUND_PI)
+        sine = arithmetic.certain_sign(product.y());
       return sum != Angle_sum::UNKNOWN;
     });
     switch(sum)
@@ -113,7 +131,7 @@ public:
     case Angle_sum::UNKNOWN:
       return Proved_sign::UNPROVED;
     default:
-      return &m_incoming == &m_outgoing ? sign_of_loop() : sign_around_pi();
+      return sine != 0 ? proved_sign(-sine) : sign_around_pi();
     }
   }
 
@@ -124,15 +142,31 @@ private:
   template <class Arithmetic>
   Planar<typename Arithmetic::NT> first_direction(const Arithmetic& arithmetic) const
   {
-    return m_side == Curve_side::LEFT ? start_direction(m_prover.surface(), arithmetic, m_outgoing)
-                                      : end_direction(m_prover.surface(), arithmetic, m_incoming);
+    return m_side == Curve_side::LEFT ? outgoing_direction(arithmetic) : incoming_direction(arithmetic);
   }
 
   template <class Arithmetic>
   Planar<typename Arithmetic::NT> last_direction(const Arithmetic& arithmetic) const
   {
-    return m_side == Curve_side::LEFT ? end_direction(m_prover.surface(), arithmetic, m_incoming)
-                                      : start_direction(m_prover.surface(), arithmetic, m_outgoing);
+    return m_side == Curve_side::LEFT ? incoming_direction(arithmetic) : outgoing_direction(arithmetic);
+  }
+
+  template <class Arithmetic>
+  Planar<typename Arithmetic::NT> outgoing_direction(const Arithmetic& arithmetic) const
+  {
+    if constexpr(std::is_same<Arithmetic, Interval_arithmetic<Surface> >::value)
+      if(m_of_outgoing != nullptr)
+        return m_of_outgoing->start;
+    return start_direction(m_prover.surface(), arithmetic, m_outgoing);
+  }
+
+  template <class Arithmetic>
+  Planar<typename Arithmetic::NT> incoming_direction(const Arithmetic& arithmetic) const
+  {
+    if constexpr(std::is_same<Arithmetic, Interval_arithmetic<Surface> >::value)
+      if(m_of_incoming != nullptr)
+        return m_of_incoming->end;
+    return end_direction(m_prover.surface(), arithmetic, m_incoming);
   }
 
   // Angles that add up to the side angle: what is left of the first corner, whole corners, the part of the last one.
@@ -150,12 +184,35 @@ private:
   // For a sum around pi: minus its sine.
   Proved_sign sign_around_pi()
   {
-    return m_prover.sign([&](const auto& arithmetic, auto& value) {
-      Planar<typename std::decay_t<decltype(arithmetic)>::NT> product(arithmetic.number(-1), arithmetic.number(0));
-      for(const auto& angle : angles(arithmetic))
-        product = product * angle;
-      value[0] = product.y();
-    });
+    return m_prover.sign(
+        [&](const auto& arithmetic, auto& value) {
+          Planar<typename std::decay_t<decltype(arithmetic)>::NT> product(arithmetic.number(-1), arithmetic.number(0));
+          for(const auto& angle : angles(arithmetic))
+            product = product * angle;
+          value[0] = product.y();
+        },
+        [this] {
+          const Proved_sign sign = sign_on_prism();
+          return sign == Proved_sign::UNPROVED && &m_incoming == &m_outgoing ? sign_of_loop() : sign;
+        });
+  }
+
+  // The same if the curve, led past the pivot on this side, runs on a prism: there the side angle is less than pi if
+  // and only if the way from the one end over the pivot to the other turns to this side.
+  Proved_sign sign_on_prism()
+  {
+    const Surface& s = m_prover.surface();
+    std::vector<Halfedge> strip = m_incoming.crossings;
+    const std::size_t at_pivot = strip.size();
+    append_fan(s, m_incoming, m_outgoing, m_side, m_is_whole_turn, strip);
+    if(strip.size() == at_pivot)
+      return Proved_sign::UNPROVED;
+    strip.insert(strip.end(), m_outgoing.crossings.begin(), m_outgoing.crossings.end());
+    const auto prism = Prismatic_strip<Surface>::make(s, strip);
+    if(!prism)
+      return Proved_sign::UNPROVED;
+    const Proved_sign turn = prism->turn(prism->start(), prism->corner(at_pivot, other_side(m_side)), prism->end());
+    return m_side == Curve_side::LEFT ? opposite_sign(turn) : turn;
   }
 
   // A corner of a face, turned counterclockwise or clockwise.
@@ -223,6 +280,7 @@ private:
 
   Sign_prover<Surface>& m_prover;
   const Arc &m_incoming, &m_outgoing;
+  const Rounded_directions *m_of_incoming, *m_of_outgoing;
   Curve_side m_side;
   Halfedge m_first, m_last; // the side is counterclockwise from the one to the other
   bool m_is_whole_turn = false;

@@ -21,6 +21,20 @@ namespace internal {
 
 enum class Proved_sign { NEGATIVE, ZERO, POSITIVE, UNPROVED };
 
+inline Proved_sign opposite_sign(Proved_sign sign)
+{
+  return sign == Proved_sign::POSITIVE ? Proved_sign::NEGATIVE
+         : sign == Proved_sign::NEGATIVE ? Proved_sign::POSITIVE
+                                         : sign;
+}
+
+// Of an exact number.
+template <class NT>
+Proved_sign proved_sign(const NT& x)
+{
+  return x > 0 ? Proved_sign::POSITIVE : x < 0 ? Proved_sign::NEGATIVE : Proved_sign::ZERO;
+}
+
 inline bool contains(const std::vector<Proved_sign>& signs, Proved_sign sign)
 {
   return std::find(signs.begin(), signs.end(), sign) != signs.end();
@@ -49,7 +63,7 @@ template <class Surface>
 class Sign_prover
 {
 public:
-  explicit Sign_prover(const Surface& surface) : m_surface(surface) {}
+  explicit Sign_prover(const Surface& surface) : m_surface(surface), m_corners(surface) {}
 
   const Surface& surface() const { return m_surface; }
   const Sign_statistics& statistics() const { return m_statistics; }
@@ -58,6 +72,14 @@ public:
   // different arithmetics and must not depend on more than they give.
   template <class Expression>
   std::vector<Proved_sign> signs(std::size_t n, const Expression& expression)
+  {
+    return signs(n, expression, [](std::size_t) { return Proved_sign::UNPROVED; });
+  }
+
+  // As above. `tie(i)` is called for a value that intervals of doubles do not tell from zero, and may know its sign for
+  // another reason; else it returns UNPROVED. It may use this prover.
+  template <class Expression, class Tie>
+  std::vector<Proved_sign> signs(std::size_t n, const Expression& expression, const Tie& tie)
   {
     std::vector<Proved_sign> result(n, Proved_sign::UNPROVED);
     std::vector<bool> wanted(n, true);
@@ -69,10 +91,19 @@ public:
     if(!contains(wanted))
       return result;
 
-    Rational_corners<Surface> corners(m_surface);
-    m_statistics.multiprecision += decide_at(128, corners, expression, wanted, result);
+    for(std::size_t i = 0; i < n; ++i)
+      if(wanted[i] && (result[i] = tie(i)) != Proved_sign::UNPROVED)
+      {
+        wanted[i] = false;
+        ++m_statistics.algebra;
+      }
+    if(!contains(wanted))
+      return result;
+    m_corners.begin_expression();
+    for(mpfr_prec_t precision = 128; precision <= 256 && contains(wanted); precision *= 2)
+      m_statistics.multiprecision += decide_at(precision, expression, wanted, result);
     if(contains(wanted))
-      decide_close_to_zero(corners, expression, wanted, result);
+      decide_close_to_zero(expression, wanted, result);
     return result;
   }
 
@@ -81,6 +112,23 @@ public:
   {
     return signs(1, expression).front();
   }
+
+  template <class Expression, class Tie>
+  Proved_sign sign(const Expression& expression, const Tie& tie)
+  {
+    return signs(1, expression, [&tie](std::size_t) { return tie(); }).front();
+  }
+
+  // Intervals of the first precision beyond double.
+  Multiprecision_arithmetic<Surface> multiprecision_arithmetic()
+  {
+    m_corners.begin_expression();
+    return Multiprecision_arithmetic<Surface>(m_corners, Rational_corners<Surface>::kept_precision);
+  }
+
+  // Counts a sign that a caller has found with intervals of its own.
+  void count_interval() { ++m_statistics.interval; }
+  void count_multiprecision() { ++m_statistics.multiprecision; }
 
   // Calls `attempt(arithmetic)` with intervals of growing precision until it returns true; false if it never does.
   template <class Attempt>
@@ -94,9 +142,9 @@ public:
         return true;
       }
     }
-    Rational_corners<Surface> corners(m_surface);
+    m_corners.begin_expression();
     for(mpfr_prec_t precision = 128; precision <= max_precision_of_unproved; precision *= 2)
-      if(attempt(Multiprecision_arithmetic<Surface>(corners, precision)))
+      if(attempt(Multiprecision_arithmetic<Surface>(m_corners, precision)))
       {
         ++m_statistics.multiprecision;
         return true;
@@ -129,10 +177,10 @@ private:
   }
 
   template <class Expression>
-  static std::size_t decide_at(mpfr_prec_t precision, Rational_corners<Surface>& corners, const Expression& expression,
-                               std::vector<bool>& wanted, std::vector<Proved_sign>& result)
+  std::size_t decide_at(mpfr_prec_t precision, const Expression& expression, std::vector<bool>& wanted,
+                        std::vector<Proved_sign>& result)
   {
-    const Multiprecision_arithmetic<Surface> arithmetic(corners, precision);
+    const Multiprecision_arithmetic<Surface> arithmetic(m_corners, precision);
     return decide(expression, arithmetic, wanted, result);
   }
 
@@ -141,58 +189,57 @@ private:
     return std::find(wanted.begin(), wanted.end(), true) != wanted.end();
   }
 
-  // For values that 128 bits do not tell from zero.
+  // For values that 256 bits do not tell from zero.
   template <class Expression>
-  void decide_close_to_zero(Rational_corners<Surface>& corners, const Expression& expression,
-                            const std::vector<bool>& wanted, std::vector<Proved_sign>& result)
+  void decide_close_to_zero(const Expression& expression, const std::vector<bool>& wanted,
+                            std::vector<Proved_sign>& result)
   {
-    const Square_root_basis basis(corners.radicands());
+    const Square_root_basis basis(m_corners.radicands());
     std::vector<bool> nonzero(wanted.size(), false), unproved = wanted;
     if(basis.is_valid())
     {
-      m_statistics.finite_field += find_nonzero<Finite_field_arithmetic<Surface> >(corners, basis, expression, unproved,
-                                                                                   nonzero, result, false);
-      m_statistics.algebra += find_nonzero<Radical_arithmetic<Surface> >(corners, basis, expression, unproved, nonzero,
-                                                                         result, true);
+      m_statistics.finite_field +=
+          find_nonzero<Finite_field_arithmetic<Surface> >(basis, expression, unproved, nonzero, result, false);
+      m_statistics.algebra +=
+          find_nonzero<Radical_arithmetic<Surface> >(basis, expression, unproved, nonzero, result, true);
     }
-    for(mpfr_prec_t precision = 256; contains(nonzero); precision *= 2)
-      decide_at(precision, corners, expression, nonzero, result);
-    for(mpfr_prec_t precision = 256; contains(unproved) && precision <= max_precision_of_unproved; precision *= 2)
-      m_statistics.multiprecision += decide_at(precision, corners, expression, unproved, result);
+    for(mpfr_prec_t precision = 512; contains(nonzero); precision *= 2)
+      decide_at(precision, expression, nonzero, result);
+    for(mpfr_prec_t precision = 512; contains(unproved) && precision <= max_precision_of_unproved; precision *= 2)
+      m_statistics.multiprecision += decide_at(precision, expression, unproved, result);
     m_statistics.unproved += static_cast<std::size_t>(std::count(unproved.begin(), unproved.end(), true));
   }
 
   // Moves values that are not zero from `unproved` to `nonzero`. If the arithmetic proves zeros, those get their sign.
   // Returns the number of values that left `unproved`.
   template <class Arithmetic, class Expression>
-  static std::size_t find_nonzero(Rational_corners<Surface>& corners, const Square_root_basis& basis,
-                                  const Expression& expression, std::vector<bool>& unproved,
-                                  std::vector<bool>& nonzero, std::vector<Proved_sign>& result, bool proves_zero)
+  std::size_t find_nonzero(const Square_root_basis& basis, const Expression& expression, std::vector<bool>& unproved,
+                           std::vector<bool>& nonzero, std::vector<Proved_sign>& result, bool proves_zero)
   {
     std::size_t count = 0;
     // All at once, as what they have in common need not be computed again; if that fails, one by one.
-    if(evaluate<Arithmetic>(corners, basis, expression, std::vector<bool>(unproved), unproved, nonzero, result,
-                            proves_zero, count))
+    if(evaluate<Arithmetic>(basis, expression, std::vector<bool>(unproved), unproved, nonzero, result, proves_zero,
+                            count))
       return count;
     for(std::size_t i = 0; i < unproved.size(); ++i)
       if(unproved[i])
       {
         std::vector<bool> only(unproved.size(), false);
         only[i] = true;
-        evaluate<Arithmetic>(corners, basis, expression, only, unproved, nonzero, result, proves_zero, count);
+        evaluate<Arithmetic>(basis, expression, only, unproved, nonzero, result, proves_zero, count);
       }
     return count;
   }
 
   // False if the arithmetic gave up.
   template <class Arithmetic, class Expression>
-  static bool evaluate(Rational_corners<Surface>& corners, const Square_root_basis& basis, const Expression& expression,
-                       const std::vector<bool>& wanted, std::vector<bool>& unproved, std::vector<bool>& nonzero,
-                       std::vector<Proved_sign>& result, bool proves_zero, std::size_t& count)
+  bool evaluate(const Square_root_basis& basis, const Expression& expression, const std::vector<bool>& wanted,
+                std::vector<bool>& unproved, std::vector<bool>& nonzero, std::vector<Proved_sign>& result,
+                bool proves_zero, std::size_t& count)
   {
     try
     {
-      const Arithmetic arithmetic(corners, basis);
+      const Arithmetic arithmetic(m_corners, basis);
       Wanted_values<typename Arithmetic::NT> values(wanted);
       expression(arithmetic, values);
       for(std::size_t i = 0; i < wanted.size(); ++i)
@@ -219,6 +266,7 @@ private:
   }
 
   const Surface& m_surface;
+  Rational_corners<Surface> m_corners;
   Sign_statistics m_statistics;
 };
 

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Flat_closed_strip.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Prismatic_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
 
 #include <cstddef>
@@ -34,12 +35,17 @@ Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vec
   if(left.is_degenerate() || right.is_degenerate())
     return result;
 
-  const std::vector<Proved_sign> rotation = prover.signs(2, [&](const auto& arithmetic, auto& values) {
-    const auto portals = unfold_turn(s, arithmetic, strip);
-    const auto image = portals.back().left - portals.back().right;
-    values[0] = image.x() - arithmetic.number(1);
-    values[1] = image.y();
-  });
+  std::vector<typename Surface::Halfedge> turn = strip;
+  turn.push_back(strip.front());
+  Prismatic_ties<Surface> ties(s, turn);
+  const std::vector<Proved_sign> rotation = prover.signs(2,
+      [&](const auto& arithmetic, auto& values) {
+        const auto portals = unfold_turn(s, arithmetic, strip);
+        const auto image = portals.back().left - portals.back().right;
+        values[0] = image.x() - arithmetic.number(1);
+        values[1] = image.y();
+      },
+      [&](std::size_t) { return ties([](const Prismatic_strip<Surface>&) { return Proved_sign::ZERO; }); });
   if(rotation[0] == Proved_sign::UNPROVED || rotation[1] == Proved_sign::UNPROVED)
     result.verdict = Certificate_verdict::TIE_NOT_PROVED;
   if(rotation[0] != Proved_sign::ZERO || rotation[1] != Proved_sign::ZERO)
@@ -52,10 +58,21 @@ Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vec
     return result;
   }
   const std::size_t high = left.portal_of_corner(above.front()), low = right.portal_of_corner(below.front());
-  const Proved_sign width = prover.sign([&](const auto& arithmetic, auto& values) {
-    const auto portals = unfold_turn(s, arithmetic, strip);
-    values[0] = determinant(portals.back().right - portals.front().right, portals[high].left - portals[low].right);
-  });
+  const Proved_sign width = prover.sign(
+      [&](const auto& arithmetic, auto& values) {
+        const auto portals = unfold_turn(s, arithmetic, strip);
+        values[0] = determinant(portals.back().right - portals.front().right, portals[high].left - portals[low].right);
+      },
+      [&] {
+        return ties([&](const Prismatic_strip<Surface>& prism) {
+          const Proved_sign rise = proved_sign(Integer(prism.height(s.target(strip[high])) -
+                                                       prism.height(s.source(strip[low]))));
+          return prism.way_right(prism.corner(0, Curve_side::LEFT), prism.corner(strip.size(), Curve_side::LEFT)) ==
+                         Proved_sign::POSITIVE
+                     ? rise
+                     : opposite_sign(rise);
+        });
+      });
   if(width != Proved_sign::POSITIVE)
   {
     result.verdict = width == Proved_sign::UNPROVED ? Certificate_verdict::TIE_NOT_PROVED

@@ -28,6 +28,7 @@ public:
     Index vertex;
     std::size_t portal;
     Vector2 position;
+    Curve_side side;
   };
 
   // Takes the crossed halfedges of one turn; what is crossed forth and back at once is removed. Linear.
@@ -54,6 +55,19 @@ public:
       one_right = one_right && m_pm.source(h) == m_pm.source(m_strip[0]);
     }
     return one_left || one_right;
+  }
+
+  // One turn, as crossed halfedges.
+  const Strip& crossings() const { return m_strip; }
+
+  // The angle of the rotation, counterclockwise.
+  double rotation() const { return m_theta; }
+
+  // An end of a portal, as a corner.
+  Corner corner(Curve_side side, std::size_t i) const
+  {
+    const Index h = m_strip[i];
+    return Corner{side == Curve_side::LEFT ? m_pm.target(h) : m_pm.source(h), i, position(side, i), side};
   }
 
   // The side that the shortest curve of the strip bends around: the one that the centre of the rotation is on.
@@ -112,12 +126,6 @@ private:
   Vector2 position(Curve_side side, std::size_t i) const
   {
     return side == Curve_side::LEFT ? m_portals[i].left : m_portals[i].right;
-  }
-
-  Corner corner(Curve_side side, std::size_t i) const
-  {
-    const Index h = m_strip[i];
-    return Corner{side == Curve_side::LEFT ? m_pm.target(h) : m_pm.source(h), i, position(side, i)};
   }
 
   // Grows with the distance from the centre c of the rotation, the side taken to be the one of the centre. Written as
