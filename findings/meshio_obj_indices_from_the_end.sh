@@ -10,7 +10,7 @@
 # many a line, and meshio itself cannot read the file again.
 #
 # Why it matters: a converter between a modelling program and a mesh library hands on files that name no surface. The
-# reader of the program here takes both spellings of OBJ.
+# program here reads both spellings (for the numbers, test Mesh_file.obj_with_everything_else).
 . "$(dirname "$0")/lib/packages.sh"
 debian python3-meshio=7.0.0-3
 

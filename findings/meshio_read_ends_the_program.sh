@@ -8,8 +8,8 @@
 # Exception", and a program that goes through a folder of meshes is over. A PLY file with "vertex_index", which is what
 # three.js writes and what the first description of the format says, raises KeyError ('uchar', 'int').
 #
-# Why it matters: whoever runs a search over many files in Python must catch SystemExit. The batch command here keeps
-# files apart from each other.
+# Why it matters: whoever runs a search over many files in Python must catch SystemExit. The batch command here gives
+# each file a process (test Batch.crash_of_a_process).
 . "$(dirname "$0")/lib/packages.sh"
 debian python3-meshio=7.0.0-3
 

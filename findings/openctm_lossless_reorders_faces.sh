@@ -7,8 +7,8 @@
 # differences; the set of triangles and their orientation are kept, their order is not. RAW keeps the order, too.
 #
 # Why it matters: results on a mesh name faces by number and points by barycentric coordinates of its three corners in
-# order. After a compression that says it is lossless both are wrong, and nothing fails: numbers are in range. Results
-# belong to the file that was given; that is why "certify" here checks curves against the mesh.
+# order. After a compression that says it is lossless both are wrong, and nothing fails: numbers are in range. The
+# command certify here checks that a curve lies on the mesh that it is given with (test Certify.curves_of_others).
 . "$(dirname "$0")/lib/packages.sh"
 debian openctm-tools=1.0.3+dfsg1-2.1+b3
 

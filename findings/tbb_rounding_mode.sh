@@ -14,7 +14,8 @@
 # context gives tasks the mode of the caller.
 #
 # Why it matters: interval filters of exact predicates, as in the proof that a curve is straight, must set the rounding
-# mode inside each task; set around the loop they prove things that are not so.
+# mode inside each task; set around the loop they prove things that are not so. The sign prover of this package sets it
+# around each sign.
 . "$(dirname "$0")/lib/packages.sh"
 debian libtbb-dev=2021.8.0-2+deb12u1 libcgal-dev=5.5.1-2 libgmp-dev libmpfr-dev
 

@@ -9,8 +9,8 @@
 # and barycentric coordinates in them, mean nothing in the new file.
 #
 # Why it matters: a curve that chokes the object chokes the complement after that, if a program believes the
-# orientation. The program here orients a closed surface outwards by its volume; the same neck comes out on the same
-# side.
+# orientation. This package takes the sign of the volume of each component into account; the same neck comes out on the
+# same side.
 . "$(dirname "$0")/lib/packages.sh"
 debian tetgen=1.5.0-5
 

@@ -8,8 +8,8 @@
 # finds nothing.
 #
 # Why it matters: faces in one plane are no longer, bands of equally long curves are slightly tilted, and exact
-# arithmetic, which proves statements about the coordinates as they are, proves them for another surface. The reader of
-# OBJ here rounds to the nearest.
+# arithmetic, which proves statements about the coordinates as they are, proves them for another surface. The readers of
+# text here round to the nearest double (test Mesh_file.no_digit_is_lost).
 . "$(dirname "$0")/lib/packages.sh"
 debian libtinyobjloader-dev=2.0.0~rc10+dfsg-2+b1
 

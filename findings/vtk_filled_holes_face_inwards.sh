@@ -9,8 +9,8 @@
 #
 # Why it matters: filling holes is what one does to give an open scan to a program for closed surfaces. A halfedge
 # structure refuses the file as not orientable or tears it at the rim of the patch; areas, volumes and the side on which
-# a curve chokes come from the orientation. The program here turns faces of a file to one orientation before the search;
-# on this dumbbell it finds the same neck as on the whole one.
+# a curve chokes come from the orientation. The program here turns faces of a file to one orientation (test
+# Mesh_file.faces_of_another_orientation_are_turned); on such a dumbbell it finds the same neck as on the whole one.
 . "$(dirname "$0")/lib/packages.sh"
 debian python3-vtk9=9.1.0+really9.1.0+dfsg2-5+deb12u1
 

@@ -9,7 +9,8 @@
 # the middle of [-1, 1] is no step, and the coordinate 0, where the plane of symmetry was, comes back as 0.000489.
 #
 # Why it matters: bodies with a plane of symmetry are made by mirroring, and -0 is what a negation leaves; the cut runs
-# through every neck. The reader of STL here takes 0 and -0 for one coordinate: a dumbbell with both closes.
+# through every neck. The reader of STL here takes 0 and -0 for one coordinate (test
+# Mesh_file.stl_merges_equal_positions_only).
 . "$(dirname "$0")/lib/packages.sh"
 debian draco=1.5.5+dfsg-2
 npm_packages @gltf-transform/core@4.5.1 @gltf-transform/functions@4.5.1
