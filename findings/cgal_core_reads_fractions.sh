@@ -9,8 +9,8 @@
 # "0.1" is exactly 1/10 for both, but to_double() of CORE's is 0.099999999999999992, one double below, while the double
 # 0.1 put into CORE comes out as it went in. to_double() of sqrt(2) is the double below the nearest one.
 #
-# Why it matters: points with rational coordinates, written by the one kernel, are the way to hand an exact mesh on.
-# Read by the kernel with square roots, "1/3 0 0" is not a point with x = 1/3, and what follows is out of step.
+# Why it matters: rational coordinates as text are the way to hand an exact mesh from one program to another. Read with
+# the kernel with square roots, "1/3 0 0" is not a point with x = 1/3, and what follows is out of step.
 . "$(dirname "$0")/lib/packages.sh"
 debian libcgal-dev=5.5.1-2 libgmp-dev libmpfr-dev
 
