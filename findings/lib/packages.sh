@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What every script of findings/ begins with: a temporary folder "$work" that goes when the script ends, and functions
+# that put public packages of a stated version there. Nothing is installed on the machine.
+#
+#   debian PACKAGE=VERSION ...    unpacks packages of Debian 12 into $work/root, with what they need and this machine
+#                                 lacks; the machine runs Debian 12, so that its libraries fit
+#   npm_packages NAME@VERSION ... installs packages of the npm registry into $work/node_modules
+#   compile SOURCE LIBRARY ...    compiles $work/SOURCE.cpp to $work/SOURCE with the unpacked headers
+#   verdict SEEN STATED           ends the script, with exit code 0 if both are equal
+#
+# meshes.py beside this file makes the meshes. With FINDINGS_CACHE=DIR the unpacked packages stay in DIR, and scripts
+# that need the same ones share them.
+
+set -euo pipefail
+export LC_ALL=C.UTF-8
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+chmod 755 "$work"
+triplet=$(gcc -print-multiarch 2> /dev/null || echo x86_64-linux-gnu)
+export PATH="$work/root/usr/bin:$PATH"
+export LD_LIBRARY_PATH="$work/root/usr/lib/$triplet:$work/root/lib/$triplet"
+export LIBRARY_PATH="$LD_LIBRARY_PATH"
+export CPLUS_INCLUDE_PATH="$work/root/usr/include:$work/root/usr/include/eigen3"
+export PYTHONPATH="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd):$work/root/usr/lib/python3/dist-packages"
+export PYTHONDONTWRITEBYTECODE=1
+
+# Makes $work/NAME, or takes it from the cache: kept NAME COMMAND ARGUMENT ...
+kept() {
+  local name=$1
+  shift
+  if [ -z "${FINDINGS_CACHE:-}" ]; then
+    "$@"
+    return
+  fi
+  local place
+  place="$(realpath -m "$FINDINGS_CACHE")/$(echo "$@" | sha1sum | cut -c 1-12)"
+  if [ ! -e "$place" ]; then
+    "$@"
+    mkdir -p "$FINDINGS_CACHE"
+    mv "$work/$name" "$place"
+  fi
+  ln -sfn "$place" "$work/$name"
+}
+
+debian() {
+  kept root unpack_debian "$@"
+}
+
+unpack_debian() {
+  mkdir -p "$work"/{root,lists/partial,cache/archives/partial}
+  local apt=(nice -n 19 apt-get --quiet=2 -o Acquire::Retries=3 -o Acquire::Languages=none -o Debug::NoLocking=1
+    -o APT::Sandbox::User= -o Dir::Etc::sourcelist="$work/sources.list" -o Dir::Etc::sourceparts=/dev/null
+    -o Dir::Etc::preferences=/dev/null -o Dir::Etc::preferencesparts=/dev/null
+    -o Dir::State::lists="$work/lists" -o Dir::Cache="$work/cache")
+  echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg]" \
+    "${DEBIAN_MIRROR:-http://deb.debian.org/debian} bookworm main" > "$work/sources.list"
+  "${apt[@]}" update
+  "${apt[@]}" install --download-only --reinstall --no-install-recommends --allow-downgrades --yes "$@" \
+    > "$work/apt.log"
+  local deb
+  for deb in "$work"/cache/archives/*.deb; do
+    dpkg-deb --extract "$deb" "$work/root"
+  done
+}
+
+npm_packages() {
+  kept node_modules install_npm "$@"
+}
+
+install_npm() {
+  (cd "$work" && nice -n 19 npm install --silent --no-audit --no-fund --ignore-scripts --no-save "$@" > npm.log)
+}
+
+compile() {
+  local source=$1
+  shift
+  nice -n 19 g++ -std=c++17 -O0 -frounding-math "$work/$source.cpp" -o "$work/$source" "${@/#/-l}"
+}
+
+# Ends the script: prints what was seen; exit code 0 if it is what the script states, else 1.
+verdict() {
+  local seen=$1 stated=$2
+  echo "$seen"
+  if [ "$seen" = "$stated" ]; then
+    echo "as stated"
+    exit 0
+  fi
+  echo "CHANGED; this was stated:"
+  echo "$stated"
+  exit 1
+}
