@@ -17,14 +17,15 @@ project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 log="$project/build/setup.log"
 
 packages=(
-  build-essential
   ca-certificates
   cmake
+  g++
   libcgal-dev
   libcli11-dev
   libgmp-dev
   libmpfr-dev
   libtbb-dev
+  make
   nlohmann-json3-dev
 )
 # for the page of the viewer

@@ -20,7 +20,7 @@ export class ClosedLine {
       return result;
     };
     this.ghost = line(false, 1);
-    this.ghost.material.opacity = 0.3;
+    this.ghost.material.uniforms.opacity.value = 0.3;
     this.casing = line(true, 2);
     this.casing.material.depthWrite = false; // all lines are drawn over it
     this.line = line(true, 3);
