@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs demo.sh and test.sh from nothing: in a Debian in which only what debootstrap calls minbase is installed. Prints for
-# each run the exit code, the time, what it downloaded and what it takes on the disk, and ctest's summary. Needs root.
+# Runs demo.sh and test.sh from nothing: in a Debian in which only what debootstrap calls minbase is installed. Prints
+# for each run the exit code, the time, what it downloaded and what it takes on the disk, and ctest's summary. dpkg does
+# not wait for the disk. Needs root.
 #
 #   scripts/check_bare_debian.sh 12|13 [USER:COMMAND]...
 #
@@ -43,6 +44,7 @@ command -v debootstrap > /dev/null || apt-get install --quiet=2 --yes --no-insta
 if [ ! -e "$folder/base.complete" ]; then
   rm -rf --one-file-system "$folder/base"
   debootstrap --variant=minbase "$suite" "$folder/base" "$mirror" > "$folder/debootstrap.log"
+  echo force-unsafe-io > "$folder/base/etc/dpkg/dpkg.cfg.d/unsafe_io"
   rm -f "$folder"/base/var/cache/apt/archives/*.deb
   touch "$folder/base.complete"
 fi

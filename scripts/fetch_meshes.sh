@@ -33,8 +33,8 @@ download() { # OPTION...
   (cd download && apt_get "$@" download libcgal-demo)
 }
 
-# Package lists of its own, for which nobody needs to be root. A source that does not answer need not be the one that has
-# the package.
+# Package lists of its own, for which nobody needs to be root. A source that does not answer need not be the one that
+# has the package.
 download_with_own_lists() {
   local places=(-o Dir::State::lists="$work/lists" -o Dir::Cache="$work/cache" -o Acquire::Languages=none)
   mkdir -p "$work"/{lists/partial,cache/archives/partial}

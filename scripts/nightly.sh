@@ -9,8 +9,8 @@
 #   coverage                            which lines of include/ no test executes
 #   mutation-certificate, mutation-tightening, mutation-verification
 #                                       which comparisons can be flipped without a test that notices
-#   configurations                      the presets that .ci/run leaves out: the whole suite with GCC's sanitizers, and the
-#                                       same curves in the debug builds and with Clang and CGAL 6
+#   configurations                      the presets that .ci/run leaves out: the whole suite with GCC's sanitizers, and
+#                                       the same curves in the debug builds and with Clang and CGAL 6
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

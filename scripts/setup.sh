@@ -9,8 +9,8 @@
 #   scripts/setup.sh --engines         also Slurm, with which scripts/batch_array.sh is tested; the packages enable the
 #                                      services munge, slurmctld and slurmd of this machine
 #
-# Without the rights to install anything it says which command does, and fails; without what is optional, that is all but
-# what the compilers need, the program is built, or tested, without.
+# Without the rights to install packages it says which command does, and fails if the compilers need them. Without the
+# others, those for the viewer and the engines, the program is built, or tested, without these.
 set -euo pipefail
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -11,8 +11,8 @@
 #
 # If CGAL_DIR is set, that CGAL is used instead of the installed one, or of Debian's CGAL 6 by a preset named for it.
 #
-# A compiler takes up to 3.2 GB of memory: no more run at a time than fit. What needs a browser or Slurm is skipped where
-# they are not there; scripts/setup.sh --browser --engines installs them.
+# A compiler takes up to 3.2 GB of memory: no more run at a time than fit. What needs a browser or Slurm is skipped
+# where they are not there; scripts/setup.sh --browser --engines installs them.
 set -euo pipefail
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

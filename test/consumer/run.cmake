@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# cmake -DVERSION=... -DPROJECT_DIR=... -DBUILD_DIR=... -DSOURCE_DIR=... -DWORK_DIR=... [-DBUILD_TYPE=...] [-DCMAKE_...=...] -P run.cmake
+# cmake -DVERSION=... -DPROJECT_DIR=... -DBUILD_DIR=... -DSOURCE_DIR=... -DWORK_DIR=... [-DBUILD_TYPE=...]
+#   [-DCMAKE_...=...] -P run.cmake
 cmake_minimum_required(VERSION 3.22)
 
 function(run)

@@ -2,7 +2,8 @@
 // Colours of Okabe and Ito, which people with any kind of colour vision can tell apart.
 import {Color} from 'three';
 
-// Light is added in a space where colours are proportional to it; the screen's are its values to the power of 1 / gamma.
+// Light is added in a space where colours are proportional to it. On the screen are these values to the power of
+// 1 / gamma.
 export const gamma = 2.2;
 export const light = colour => new Color(colour).convertGammaToLinear(gamma);
 

@@ -69,8 +69,8 @@ function edgesOf(points, faces) {
 export class Surface {
   constructor() {
     // Dull, but shaded at each pixel; pushed back a little, so that lines on it are in front of it.
-    const material = new MeshPhongMaterial({vertexColors: VertexColors, specular: 0, side: FrontSide, polygonOffset: true,
-      polygonOffsetFactor: 1.5, polygonOffsetUnits: 4});
+    const material = new MeshPhongMaterial({vertexColors: VertexColors, specular: 0, side: FrontSide,
+      polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4});
     this.mesh = new Mesh(new BufferGeometry(), material);
     this.edges = new LineSegments(new BufferGeometry(), new LineBasicMaterial({transparent: true, opacity: 0.35}));
     this.edges.visible = false;
