@@ -96,6 +96,7 @@ for run in "$@"; do
   if [ "$user" = sudo ]; then
     { inside root "apt-get update && apt-get install --yes --no-install-recommends sudo"; } > "$folder/sudo.log" 2>&1
     echo "tester ALL=(root) NOPASSWD: /usr/bin/apt-get" > "$root/etc/sudoers.d/tester"
+    echo "127.0.1.1 $(hostname)" >> "$root/etc/hosts"
     echo "deb http://127.0.0.1:9/debian none main" > "$root/etc/apt/sources.list.d/does_not_answer.list"
   fi
   if [ "$user" != root ]; then
