@@ -17,8 +17,8 @@
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 
-// CGAL's edge profiles call this without including its header. Here it is found by the type of the mesh, whichever header
-// comes first.
+// CGAL's edge profiles call this without including its header. Here it is found by the type of the mesh, whichever
+// header comes first.
 using CGAL::is_border;
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
