@@ -3,6 +3,11 @@ include(CMakePackageConfigHelpers)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Surface_mesh_constrictions")
 
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/Surface_mesh_constrictionsConfig.cmake.in"
+  "${CMAKE_CURRENT_BINARY_DIR}/Surface_mesh_constrictionsConfig.cmake"
+  INSTALL_DESTINATION "${package_dir}"
+  NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(
   "${CMAKE_CURRENT_BINARY_DIR}/Surface_mesh_constrictionsConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion
@@ -13,7 +18,7 @@ install(TARGETS Surface_mesh_constrictions EXPORT Surface_mesh_constrictionsTarg
 install(EXPORT Surface_mesh_constrictionsTargets NAMESPACE CGAL:: DESTINATION "${package_dir}")
 install(
   FILES
-    "${CMAKE_CURRENT_LIST_DIR}/Surface_mesh_constrictionsConfig.cmake"
+    "${CMAKE_CURRENT_BINARY_DIR}/Surface_mesh_constrictionsConfig.cmake"
     "${CMAKE_CURRENT_LIST_DIR}/constrictions_dependencies.cmake"
     "${CMAKE_CURRENT_BINARY_DIR}/Surface_mesh_constrictionsConfigVersion.cmake"
   DESTINATION "${package_dir}")

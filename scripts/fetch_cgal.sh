@@ -52,7 +52,7 @@ apt_get() {
     "$@" < /dev/null
 }
 
-echo "Fetching the CGAL of Debian's $release"
+echo "Fetching the CGAL of Debian's $release: 5 MB"
 apt_get update
 (cd "$work/download" && apt_get download libcgal-dev)
 rm -rf "${target:?}/usr"

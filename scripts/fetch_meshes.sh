@@ -21,25 +21,32 @@ trap 'rm -rf "$work"' EXIT
 chmod 755 "$work" # apt-get downloads as an unprivileged user
 cd "$work"
 
-download() {
+apt_get() {
+  apt-get -o Acquire::Retries=3 --quiet=2 "$@" < /dev/null
+}
+
+download() { # OPTION...
   mkdir -p download
   if [ "$(id -u)" -eq 0 ] && id _apt > /dev/null 2>&1; then
     chown _apt download
   fi
-  (cd download && apt-get -o Acquire::Retries=3 --quiet=2 download libcgal-demo < /dev/null)
+  (cd download && apt_get "$@" download libcgal-demo)
 }
 
-# Without package lists there is nothing to download from.
-update() {
-  local as_root=()
-  if [ "$(id -u)" -ne 0 ]; then
-    as_root=(sudo)
+# Package lists of its own, for which nobody needs to be root. A source that does not answer need not be the one that
+# has the package.
+download_with_own_lists() {
+  local places=(-o Dir::State::lists="$work/lists" -o Dir::Cache="$work/cache" -o Acquire::Languages=none)
+  mkdir -p "$work"/{lists/partial,cache/archives/partial}
+  if [ "$(id -u)" -eq 0 ] && id _apt > /dev/null 2>&1; then
+    chown _apt "$work"/{lists/partial,cache/archives/partial}
   fi
-  "${as_root[@]}" apt-get -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3 --quiet=2 update < /dev/null
+  apt_get "${places[@]}" update || true
+  download "${places[@]}"
 }
 
-echo "Fetching CGAL's example meshes"
-download || { update && download; }
+echo "Fetching CGAL's example meshes, Debian's package libcgal-demo: 27 MB"
+download 2> /dev/null || download_with_own_lists
 dpkg-deb --extract download/libcgal-demo_*.deb package
 
 archive=$(find package -name data.tar.gz -print -quit)

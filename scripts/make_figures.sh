@@ -10,13 +10,14 @@ meshes="$project/data/meshes"
 figures="$project/doc/Surface_mesh_constrictions/fig"
 program=${1:-}
 
-"$project/scripts/setup.sh"
+"$project/scripts/setup.sh" --browser
+(cd "$project/tools/viewer" && npm ci --ignore-scripts --no-audit --no-fund --silent)
 "$project/scripts/fetch_meshes.sh" "$meshes"
 if [ -z "$program" ]; then
   build="$project/build/demo"
   cmake -S "$project" -B "$build" -DCMAKE_BUILD_TYPE=Release -DWITH_TESTS=OFF -DWITH_EXAMPLES=OFF \
     ${CGAL_DIR:+"-DCGAL_DIR=$CGAL_DIR"}
-  cmake --build "$build" --parallel "$(nproc)" --target constrictions
+  cmake --build "$build" --parallel "$("$project/scripts/number_of_jobs.sh" 2000)" --target constrictions
   program="$build/tools/constrictions/constrictions"
 fi
 

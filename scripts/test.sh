@@ -10,6 +10,9 @@
 # meshes are those of every other configuration, and that a project can use the installed package.
 #
 # If CGAL_DIR is set, that CGAL is used instead of the installed one, or of Debian's CGAL 6 by a preset named for it.
+#
+# A compiler takes up to 3.2 GB of memory: no more run at a time than fit. What needs a browser or Slurm is skipped
+# where they are not there; scripts/setup.sh --browser --engines installs them.
 set -euo pipefail
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -17,7 +20,6 @@ configurations=("$@")
 if [ $# -eq 0 ]; then
   configurations=(release)
 fi
-jobs=$(nproc)
 log="$project/build/ctest.log"
 
 "$project/scripts/setup.sh"
@@ -63,11 +65,11 @@ done
   printf '\n'
   printf '%s:\n\t+$(MAKE) --no-print-directory -C $@\n' "${names[@]}"
 } > build/Makefile
-make -C build --jobs "$jobs"
+make -C build --jobs "$(scripts/number_of_jobs.sh 3200)"
 
 # One run of ctest over all of them.
 printf 'subdirs("%s")\n' "${names[@]}" > build/CTestTestfile.cmake
 status=0
-ctest --test-dir build --output-on-failure --no-tests=error --parallel "$jobs" --output-log "$log" || status=$?
+ctest --test-dir build --output-on-failure --no-tests=error --parallel "$(nproc)" --output-log "$log" || status=$?
 grep -E 'tests passed|No tests were found' "$log" | tail -n 1
 exit "$status"

@@ -14,7 +14,6 @@
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 
 #include <CGAL/Surface_mesh_shortest_path.h>
-#include <CGAL/boost/graph/dijkstra_shortest_paths.h>
 
 #include <benchmark/benchmark.h>
 

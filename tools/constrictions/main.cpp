@@ -266,7 +266,8 @@ int main(int argc, char** argv)
     return *exit_code;
   if(options.command == constrictions::Command::VIEW && constrictions::page_template().empty())
   {
-    std::cerr << "constrictions: view: this program was built without the viewer, which needs npm" << std::endl;
+    std::cerr << "constrictions: view: this program was built without the viewer, which needs esbuild and three.js"
+              << std::endl;
     return 2;
   }
   try

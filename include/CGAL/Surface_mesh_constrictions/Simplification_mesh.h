@@ -6,6 +6,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Iterator_range.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/iterator/iterator_facade.hpp>
 
@@ -15,6 +16,10 @@
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
+
+// CGAL's edge profiles call this without including its header. Here it is found by the type of the mesh, whichever
+// header comes first.
+using CGAL::is_border;
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The copy of the input that is simplified, whatever the type of the input. Cost and placement policies passed to

@@ -2,6 +2,11 @@
 // Colours of Okabe and Ito, which people with any kind of colour vision can tell apart.
 import {Color} from 'three';
 
+// Light is added in a space where colours are proportional to it. On the screen are these values to the power of
+// 1 / gamma.
+export const gamma = 2.2;
+export const light = colour => new Color(colour).convertGammaToLinear(gamma);
+
 export const sides = {
   object: {colour: '#d55e00', text: 'chokes the object'},
   complement: {colour: '#0072b2', text: 'chokes the space around it'},
@@ -15,10 +20,10 @@ const partHues = ['#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#f0e442', '#7d8fb
 // What depends on the theme. Parts are tints, so that the curves stand out.
 export function scheme(theme) {
   const dark = theme === 'dark';
-  const toward = new Color(dark ? '#6c737b' : '#f4f4f2');
+  const toward = light(dark ? '#6c737b' : '#f4f4f2');
   return {
-    surface: new Color(dark ? '#9aa3ad' : '#d3d7dc'),
-    parts: partHues.map(hue => new Color(hue).lerp(toward, 0.5)),
+    surface: light(dark ? '#9aa3ad' : '#d3d7dc'),
+    parts: partHues.map(hue => light(hue).lerp(toward, 0.5)),
     casing: dark ? '#ffffff' : '#14171a',
     edges: dark ? '#000000' : '#20252b',
   };

@@ -2,7 +2,7 @@
 // The constrictions on the surface.
 import {BufferAttribute, BufferGeometry, Group, Points, PointsMaterial, Vector3} from 'three';
 import {ClosedLine} from './lines.js';
-import {selection, sides} from './colours.js';
+import {light, selection, sides} from './colours.js';
 
 export class Curves {
   // Lines are lifted off the surface by `lift`.
@@ -57,7 +57,7 @@ export class Curves {
     this.pivots.geometry.dispose();
     this.pivots.geometry = new BufferGeometry();
     this.pivots.geometry.setAttribute('position', new BufferAttribute(new Float32Array(pivots), 3));
-    this.pivots.material.color.set(scheme.casing);
+    this.pivots.material.color.copy(light(scheme.casing));
     this.pivots.visible = pivots.length > 0;
   }
 

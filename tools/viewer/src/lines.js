@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closed lines of a width in pixels, on a wider line of another colour, their casing.
 import {Group} from 'three';
-import {Line2} from 'three/addons/lines/Line2.js';
-import {LineGeometry} from 'three/addons/lines/LineGeometry.js';
-import {LineMaterial} from 'three/addons/lines/LineMaterial.js';
+import {Line2} from 'three/examples/jsm/lines/Line2.js';
+import {LineGeometry} from 'three/examples/jsm/lines/LineGeometry.js';
+import {LineMaterial} from 'three/examples/jsm/lines/LineMaterial.js';
+import {light} from './colours.js';
 
 export class ClosedLine {
   // `points` are coordinates, the first point is not repeated
@@ -14,10 +15,12 @@ export class ClosedLine {
       const material = new LineMaterial({depthTest, transparent: !depthTest, depthWrite: depthTest});
       const result = new Line2(this.geometry, material);
       result.renderOrder = order;
+      // widths are in pixels of the page
+      result.onBeforeRender = renderer => renderer.getSize(material.resolution);
       return result;
     };
     this.ghost = line(false, 1);
-    this.ghost.material.opacity = 0.3;
+    this.ghost.material.uniforms.opacity.value = 0.3;
     this.casing = line(true, 2);
     this.casing.material.depthWrite = false; // all lines are drawn over it
     this.line = line(true, 3);
@@ -28,12 +31,12 @@ export class ClosedLine {
 
   // `border` is what the casing is wider on each side. A ghost shines through the surface.
   set({colour, width, casing, border, ghost}) {
-    this.line.material.color.set(colour);
+    this.line.material.color.copy(light(colour));
     this.line.material.linewidth = width;
-    this.casing.material.color.set(casing);
+    this.casing.material.color.copy(light(casing));
     this.casing.material.linewidth = width + 2 * border;
     this.ghost.visible = ghost;
-    this.ghost.material.color.set(colour);
+    this.ghost.material.color.copy(light(colour));
     this.ghost.material.linewidth = width;
   }
 

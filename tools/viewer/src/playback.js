@@ -3,7 +3,7 @@
 // are carried along, and at last the curves as they are tightened on the input.
 import {BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial} from 'three';
 import {ClosedLine} from './lines.js';
-import {seed, sides} from './colours.js';
+import {light, seed, sides} from './colours.js';
 import {counted} from './list.js';
 import {levelSurface} from './levels.js';
 
@@ -18,8 +18,8 @@ function filled(points) {
     corners.push(...centre, ...points.slice(3 * i, 3 * i + 3), ...points.slice(3 * ((i + 1) % n), 3 * ((i + 1) % n) + 3));
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(corners), 3));
-  const mesh = new Mesh(geometry, new MeshBasicMaterial({color: seed, side: DoubleSide, transparent: true, opacity: 0.55,
-    depthTest: false}));
+  const mesh = new Mesh(geometry, new MeshBasicMaterial({color: light(seed), side: DoubleSide, transparent: true,
+    opacity: 0.55, depthTest: false}));
   mesh.renderOrder = 1;
   return mesh;
 }

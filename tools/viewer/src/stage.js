@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Camera, lights and drawing. Draws when something has changed only.
 import {DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer} from 'three';
-import {TrackballControls} from 'three/addons/controls/TrackballControls.js';
+import {gamma, light} from './colours.js';
+import {TrackballControls} from 'three/examples/jsm/controls/TrackballControls.js';
 
 const fieldOfView = 30;
+const drawing = {antialias: true, alpha: true, preserveDrawingBuffer: true};
 
 // How far from a ball of this radius the camera sees it whole.
 const distanceFor = (radius, aspect) =>
@@ -12,7 +14,10 @@ const distanceFor = (radius, aspect) =>
 export class Stage {
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({canvas, antialias: true, alpha: true, preserveDrawingBuffer: true});
+    this.renderer = new WebGLRenderer({canvas, context: canvas.getContext('webgl2', drawing) ?? undefined, ...drawing});
+    this.renderer.physicallyCorrectLights = true;
+    this.renderer.gammaFactor = gamma;
+    this.renderer.gammaOutput = true;
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
     this.camera.position.z = 4;
@@ -28,7 +33,7 @@ export class Stage {
     this.controls.addEventListener('start', () => this.flight = null);
 
     this.light = new DirectionalLight(0xffffff, 2.2);
-    this.scene.add(new HemisphereLight(0xffffff, 0x8d8a86, 1.5), this.light, this.light.target);
+    this.scene.add(new HemisphereLight(0xffffff, light(0x8d8a86), 1.5), this.light, this.light.target);
     this.hiddenBelow = 0; // what is in front of the canvas at its lower end, in pixels
     this.isDirty = true;
     this.waiting = [];

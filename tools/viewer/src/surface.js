@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The surface that is drawn: triangles with colours, and the edges of the mesh.
-import {BufferAttribute, BufferGeometry, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh,
-  MeshLambertMaterial} from 'three';
+import {BufferAttribute, BufferGeometry, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshPhongMaterial,
+  VertexColors} from 'three';
+import {light} from './colours.js';
 
 const cosineOfCrease = Math.cos(40 * Math.PI / 180);
 
@@ -67,9 +68,9 @@ function edgesOf(points, faces) {
 
 export class Surface {
   constructor() {
-    // pushed back a little, so that lines on it are in front of it
-    const material = new MeshLambertMaterial({vertexColors: true, side: FrontSide, polygonOffset: true,
-      polygonOffsetFactor: 1.5, polygonOffsetUnits: 4});
+    // Dull, but shaded at each pixel; pushed back a little, so that lines on it are in front of it.
+    const material = new MeshPhongMaterial({vertexColors: VertexColors, specular: 0, side: FrontSide,
+      polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4});
     this.mesh = new Mesh(new BufferGeometry(), material);
     this.edges = new LineSegments(new BufferGeometry(), new LineBasicMaterial({transparent: true, opacity: 0.35}));
     this.edges.visible = false;
@@ -114,7 +115,7 @@ export class Surface {
   showEdges(visible, colour) {
     this.edges.visible = visible;
     if (colour)
-      this.edges.material.color.set(colour);
+      this.edges.material.color.copy(light(colour));
     if (!visible || this.hasEdges || !this.faces)
       return;
     this.edges.geometry.dispose();

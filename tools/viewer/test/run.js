@@ -5,7 +5,7 @@ import {fileURLToPath} from 'node:url';
 import {executablePath} from '../browser.js';
 
 if (!executablePath) {
-  console.log('skipped: there is no Chromium; set CHROMIUM to its place, or install it with scripts/setup.sh');
+  console.log('skipped: there is no Chromium: set CHROMIUM to its place, or use scripts/setup.sh --browser');
   process.exit(0);
 }
 const tests = fileURLToPath(new URL('viewer.test.js', import.meta.url));

@@ -5,7 +5,6 @@
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_profile.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What takes hours and rarely tells anything, so that it is not part of .ci/run. A step that fails does not stop those
+# after it. Prints the result of each step; the exit code is 1 if one has failed. What a step prints is in
+# build/nightly/STEP.log.
+#
+#   scripts/nightly.sh [STEP...]        all steps, if none is given
+#
+#   coverage                            which lines of include/ no test executes
+#   mutation-certificate, mutation-tightening, mutation-verification
+#                                       which comparisons can be flipped without a test that notices
+#   configurations                      the presets that .ci/run leaves out: the whole suite with GCC's sanitizers, and
+#                                       the same curves in the debug builds and with Clang and CGAL 6
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+[ $# -gt 0 ] || set -- coverage mutation-{certificate,tightening,verification} configurations
+mkdir -p build/nightly
+
+run() { # STEP
+  case $1 in
+    coverage) scripts/coverage.sh ;;
+    mutation-*)
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes &&
+        scripts/mutation/run.py build/mutation --group "${1#mutation-}" --jobs "$(scripts/number_of_jobs.sh 3200)"
+      ;;
+    configurations)
+      scripts/test.sh debug:curves clang-debug:curves cgal6-debug:curves clang-cgal6-release:curves sanitizers
+      ;;
+    *)
+      echo "there is no step $1"
+      return 2
+      ;;
+  esac
+}
+
+status=0
+for step in "$@"; do
+  seconds=$SECONDS
+  result=passed
+  run "$step" > "build/nightly/$step.log" 2>&1 || result=FAILED
+  echo "$step: $result after $(((SECONDS - seconds + 30) / 60)) minutes: $(tail -n 1 "build/nightly/$step.log")"
+  [ "$result" = passed ] || status=1
+done
+exit "$status"
