@@ -139,14 +139,14 @@ TEST(MergeSeedCurves, WhatIsComposedOfShorterOnesIsKeptOnlyIfAskedFor)
 TEST(CrossingFilter, ACurveThatCrossesManyShorterOnesDoesNotPass)
 {
   const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::boxes_with_tube(4));
-  std::vector<std::vector<SMC::internal::Trace_point> > traces(1); // around a corner
+  std::vector<SMC::internal::Trace_point> trace; // around a corner
   for(Index v : {pm.target(0), pm.target(pm.next(0)), pm.source(0)})
-    traces[0].push_back({v, SMC::null_index, 0});
+    trace.push_back({v, SMC::null_index, 0});
   const SMC::internal::Surface_sides sides(pm);
-  SMC::internal::Crossing_filter filter(pm, sides, traces);
-  EXPECT_TRUE(filter.passes(0, {}));
-  EXPECT_TRUE(filter.passes(0, std::vector<Index>(SMC::internal::crossing_limit - 1, 0)));
-  EXPECT_FALSE(filter.passes(0, std::vector<Index>(SMC::internal::crossing_limit, 0)));
+  SMC::internal::Crossing_filter filter(pm, sides);
+  EXPECT_TRUE(filter.passes(0, trace, {}));
+  EXPECT_TRUE(filter.passes(0, trace, std::vector<Index>(SMC::internal::crossing_limit - 1, 0)));
+  EXPECT_FALSE(filter.passes(0, trace, std::vector<Index>(SMC::internal::crossing_limit, 0)));
 }
 
 TEST(CrossingFilter, ACurveThatCrossesSomeFirmOnesDoesNotPass)
@@ -155,16 +155,15 @@ TEST(CrossingFilter, ACurveThatCrossesSomeFirmOnesDoesNotPass)
   std::vector<SMC::internal::Trace_point> trace; // around a corner
   for(Index v : {pm.target(0), pm.target(pm.next(0)), pm.source(0)})
     trace.push_back({v, SMC::null_index, 0});
-  const std::vector<std::vector<SMC::internal::Trace_point> > traces(9, trace);
   const SMC::internal::Surface_sides sides(pm);
-  SMC::internal::Crossing_filter filter(pm, sides, traces);
+  SMC::internal::Crossing_filter filter(pm, sides);
   for(Index i = 0; i < 8; ++i)
   {
-    EXPECT_TRUE(filter.passes(i, {}));
-    filter.keep(i, i < 4 ? 0.3 : 0.29);
+    EXPECT_TRUE(filter.passes(i, trace, {}));
+    filter.keep(i, trace, i < 4 ? 0.3 : 0.29);
   }
-  EXPECT_TRUE(filter.passes(8, {0, 1, 2, 4, 5, 6, 7}));
-  EXPECT_FALSE(filter.passes(8, {0, 1, 2, 3}));
+  EXPECT_TRUE(filter.passes(8, trace, {0, 1, 2, 4, 5, 6, 7}));
+  EXPECT_FALSE(filter.passes(8, trace, {0, 1, 2, 3}));
 }
 
 // The path around the tube that goes forth along it and back beside is tightened to the same curve as the one that goes
