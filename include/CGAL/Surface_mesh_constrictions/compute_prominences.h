@@ -75,7 +75,7 @@ std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<
                                                  const Progressive_mesh& pm)
 {
   std::unordered_map<std::size_t, Index> index;
-  for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+  for(Index v = 0; v < imported.number_of_vertices(); ++v)
     index.emplace(get(vim, imported.vertex(v)), v);
   const TriangleMesh& tm = imported.mesh();
   std::vector<std::vector<Trace_point> > traces;

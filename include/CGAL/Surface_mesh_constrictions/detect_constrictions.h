@@ -142,6 +142,12 @@ namespace Surface_mesh_constrictions {
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{rim_constrictions}
+///     \cgalParamDescription{whether to select also rims, see `Constriction::is_rim()`, whatever their prominence and
+///                           isoperimetric ratio}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{all_constrictions}
 ///     \cgalParamDescription{whether to select every distinct closed geodesic that was found. A user who keeps them all
 ///                           can select again at no cost: see `select_by_prominence()`.}
@@ -186,6 +192,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   const bool selects_all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
   const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                                 default_maximum_isoperimetric_ratio);
+  const bool with_rims = choose_parameter(get_parameter(np, internal_np::rim_constrictions), false);
   // what early selection gives up for what it crosses is not measured in the last one either
   const Merging_parameters early = internal::carrying_parameters(np).merging;
   const bool with_crossing = early.crossing || early.minimum_prominence <= 0;
@@ -220,7 +227,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       });
   const internal::Surface_sides sides(pm);
   if(!selects_all)
-    statistics.not_selected += internal::drop_too_long<ConcurrencyTag>(network, sides, maximum_ratio, found);
+    statistics.not_selected += internal::drop_too_long<ConcurrencyTag>(network, sides, maximum_ratio, with_rims, found);
   visitor.on_stage_end(Detection_stage::TIGHTENING);
 
   visitor.on_stage_begin(Detection_stage::CERTIFICATION, certifies ? found.size() : 0);
@@ -248,7 +255,8 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
         its_seeds.push_back(seeds[s]);
     statistics.merged += its_seeds.size() - 1;
     Constriction<TriangleMesh> made = maker.make(network, f.curve, its_seeds, f.band_width, f.certificate);
-    if(!selects_all && made.is_separating() && made.isoperimetric_ratio() > maximum_ratio)
+    if(!selects_all && !(with_rims && made.is_rim()) && made.is_separating() &&
+       made.isoperimetric_ratio() > maximum_ratio)
     {
       ++statistics.not_selected;
       continue;

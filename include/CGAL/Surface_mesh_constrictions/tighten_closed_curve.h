@@ -122,7 +122,7 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
   imported.rescale();
   const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
   std::unordered_map<std::size_t, Index> index;
-  for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+  for(Index v = 0; v < imported.number_of_vertices(); ++v)
     index.emplace(get(vim, imported.vertex(v)), v);
 
   internal::Curve_network network(pm, false);

@@ -77,7 +77,8 @@ SMC::Split_curves<Mesh> split(const std::vector<Constriction>& constrictions, co
   return result;
 }
 
-Part measured_part(const Mesh& open, Mesh&& closed, bool is_open)
+// `capped` has the holes of the input, `closed` has none.
+Part measured_part(const Mesh& open, Mesh&& capped, const Mesh& closed, bool is_open)
 {
   Part part;
   part.area = PMP::area(open);
@@ -94,7 +95,7 @@ Part measured_part(const Mesh& open, Mesh&& closed, bool is_open)
       for(Mesh::Halfedge_index b : open.halfedges_around_face(h))
         is_seen[b] = true;
     }
-  part.mesh = is_open ? open : std::move(closed);
+  part.mesh = is_open ? open : std::move(capped);
   return part;
 }
 
@@ -114,18 +115,21 @@ Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constricti
   result.part_of_face.resize(result.mesh.num_faces());
   PMP::connected_components(result.mesh, CGAL::make_property_map(result.part_of_face),
                             CGAL::parameters::edge_is_constrained_map(marks));
-  std::vector<Mesh> open, closed;
+  std::vector<Mesh> open, capped, closed;
   SMC::extract_parts(result.mesh, marks, std::back_inserter(open), SMC::parameters::with_caps(false));
-  SMC::extract_parts(result.mesh, marks, std::back_inserter(closed));
+  SMC::extract_parts(result.mesh, marks, std::back_inserter(capped));
+  SMC::extract_parts(result.mesh, marks, std::back_inserter(closed), SMC::parameters::with_filled_holes(true));
   for(std::size_t p = 0; p < open.size(); ++p)
-    result.parts.push_back(measured_part(open[p], std::move(closed[p]), segmentation.open));
+    result.parts.push_back(measured_part(open[p], std::move(capped[p]), closed[p], segmentation.open));
 
   for(std::size_t c = 0; c < constrictions.size(); ++c)
   {
     std::map<std::array<std::size_t, 2>, double> lengths;
     for(Mesh::Halfedge_index h : curves.halfedges[c])
-      lengths[{{result.part_of_face[result.mesh.face(h)],
-                result.part_of_face[result.mesh.face(result.mesh.opposite(h))]}}] += PMP::edge_length(h, result.mesh);
+      if(!result.mesh.is_border(result.mesh.edge(h))) // along a hole a part ends
+        lengths[{{result.part_of_face[result.mesh.face(h)],
+                  result.part_of_face[result.mesh.face(result.mesh.opposite(h))]}}] +=
+            PMP::edge_length(h, result.mesh);
     for(const auto& [parts, length] : lengths)
       result.adjacencies.push_back({c, parts, length});
   }

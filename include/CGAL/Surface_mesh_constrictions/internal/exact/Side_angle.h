@@ -84,7 +84,8 @@ public:
                                       : start_halfedge(prover.surface(), outgoing))
   {}
 
-  // The sign of angle - pi. O(degree + crossings of both arcs) operations at each stage of the arithmetic.
+  // The sign of angle - pi; positive where the side contains a hole, whose angle is infinite. O(degree + crossings of
+  // both arcs) operations at each stage of the arithmetic.
   Proved_sign sign_beyond_pi()
   {
     if(m_first == m_last)
@@ -99,6 +100,8 @@ public:
       if(!m_is_whole_turn)
         return Proved_sign::NEGATIVE; // no more than a corner of a face
     }
+    if(has_ghost())
+      return Proved_sign::POSITIVE;
     Angle_sum sum = Angle_sum::UNKNOWN;
     m_prover.decide_by_intervals([&](const auto& arithmetic) {
       sum = compare_angle_sum(arithmetic, angles(arithmetic));
@@ -121,6 +124,19 @@ public:
   bool is_whole_turn() const { return m_is_whole_turn; }
 
 private:
+  // Whether the side goes around a corner of a ghost.
+  bool has_ghost() const
+  {
+    const Surface& s = m_prover.surface();
+    Halfedge h = m_first;
+    do {
+      if(s.is_ghost(h))
+        return true;
+      h = ccw(s, h);
+    } while(h != m_last);
+    return false;
+  }
+
   template <class Arithmetic>
   Planar<typename Arithmetic::NT> first_direction(const Arithmetic& arithmetic) const
   {

@@ -94,7 +94,7 @@ private:
   // Takes a face. False if the sweep has not reached all its vertices.
   bool collect_face(const Distance_sweep& sweep, Index f)
   {
-    if(m_seen[f] == m_slide)
+    if(m_seen[f] == m_slide || m_pm.is_ghost_face(f))
       return true;
     m_seen[f] = m_slide;
     m_faces.push_back(f);

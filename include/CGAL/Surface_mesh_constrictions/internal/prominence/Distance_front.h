@@ -45,9 +45,9 @@ public:
     }
   }
 
-  // Keeps the fronts from crossing a face.
+  // Keeps the fronts from crossing a face. They never cross a ghost.
   void bar(Index f) { m_barred[f] = m_sweep; }
-  bool is_barred(Index f) const { return m_barred[f] == m_sweep; }
+  bool is_barred(Index f) const { return m_barred[f] == m_sweep || m_pm.is_ghost_face(f); }
 
   bool is_settled(Index v) const { return m_vertices[v].sweep == m_sweep && m_vertices[v].settled; }
   bool is_settled(Index v, std::size_t side) const
