@@ -42,13 +42,16 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// finds constrictions of a closed triangle mesh: simple closed curves on it whose length is locally minimal.
+/// finds constrictions of a triangle mesh: simple closed curves on it whose length is locally minimal.
 ///
 /// The mesh is copied and the copy simplified by edge collapses; seed curves are found on the way; the collapses are
 /// undone one by one and the curves carried along; on the input mesh they are tightened until they are closed
 /// geodesics. Degenerate curves are dropped and equal ones merged. Of the closed geodesics that are left those are
 /// selected that a person would call necks, each once: see `select_constrictions()`. This is the method of
 /// \cgalCite{ha_dccps_03}. The function is the composition of the package's stages; see the user manual.
+///
+/// The boundary of a mesh is an obstacle: curves may touch it, and run along it. See "Surfaces with Boundary" in the
+/// user manual.
 ///
 /// The same input gives the same output. `tm` is not changed. Of meshes with more than 2,048 vertices prominences are
 /// measured on the surface with 2,048, but for curves that are not found there.
@@ -59,8 +62,8 @@ namespace Surface_mesh_constrictions {
 /// \tparam OutputIterator takes `Constriction<TriangleMesh>`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh, any genus, any number of connected components. Faces of area zero and isolated
-///        vertices are allowed, edges of length zero are not.
+/// \param tm a triangle mesh, closed or with boundary, any genus, any number of connected components. Faces of area
+///        zero and isolated vertices are allowed, edges of length zero are not.
 /// \param out the selected constrictions, the most prominent first
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///

@@ -158,7 +158,7 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
 /// \tparam OutputIterator takes `Constriction<TriangleMesh>`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh
+/// \param tm a triangle mesh, closed or with boundary
 /// \param constrictions constrictions of `tm`, as computed on it with the same points
 /// \param out the selected ones, the most prominent first
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of the two functions

@@ -84,7 +84,7 @@ inline void add_verdict(const Arc_verdict& verdict, std::size_t location, Shorte
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh
+/// \param tm a triangle mesh, closed or with boundary
 /// \param curve a closed curve on it
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
 ///

@@ -55,7 +55,7 @@ TEST_F(Program, detect_prints_json_only)
   EXPECT_EQ(j["format"], "constrictions/1");
 
   const auto& mesh = j["mesh"];
-  EXPECT_EQ(keys(mesh), (Keys{"file", "vertices", "faces", "components", "genus", "area"}));
+  EXPECT_EQ(keys(mesh), (Keys{"file", "vertices", "faces", "components", "genus", "holes", "area"}));
   EXPECT_EQ(mesh["file"], "dumbbell.off");
   EXPECT_EQ(mesh["vertices"], 116);
   EXPECT_EQ(mesh["faces"], 228);
@@ -66,7 +66,8 @@ TEST_F(Program, detect_prints_json_only)
   ASSERT_EQ(j["constrictions"].size(), 1u);
   const auto& c = j["constrictions"][0];
   EXPECT_EQ(keys(c), (Keys{"id", "length", "points", "locations", "pivots", "certificate", "side", "separating",
-                           "areas", "genera", "isoperimetric_ratio", "prominence", "dominated_by", "seed"}));
+                           "areas", "genera", "isoperimetric_ratio", "prominence", "dominated_by", "rim",
+                           "boundary_share", "seed"}));
   EXPECT_EQ(c["id"], 0);
   EXPECT_DOUBLE_EQ(c["length"], 4);
   EXPECT_EQ(c["points"].size(), c["locations"].size());
@@ -334,12 +335,12 @@ TEST_F(Program, unusable_loops)
 
 TEST_F(Program, unusable_meshes)
 {
-  write("open.off", std::string(tetrahedron).replace(4, 3, "4 3"));
+  write("touching.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n");
   write("nan.off", std::string(tetrahedron).replace(std::string(tetrahedron).find("0 1 0"), 5, "0 n 0"));
   write("infinite.off", std::string(tetrahedron).replace(std::string(tetrahedron).find("0 1 0"), 5, "0 inf 0"));
   write("flat.off", std::string(tetrahedron).replace(std::string(tetrahedron).find("0 1 0"), 5, "1 0 0"));
   write("empty.off", "");
-  expect_failure(1, "detect open.off", {"open.off: ", "not closed", "face"});
+  expect_failure(1, "detect touching.off", {"touching.off: ", "non-manifold vertex", "vertex 0"});
   expect_failure(1, "detect nan.off", {"nan.off: ", "line 5", "vertex 2"});
   expect_failure(1, "detect infinite.off", {"infinite.off: ", "vertex 2", "inf"});
   expect_failure(1, "detect flat.off", {"flat.off: ", "vertices 2 and 1", "face 0"});

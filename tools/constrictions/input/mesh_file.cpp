@@ -147,8 +147,8 @@ void turn(const std::vector<Index>& again, std::vector<Index>& turned)
   turned.swap(result);
 }
 
-// As above; and if the surface is open along seams only, where vertices have been doubled, they are closed. Other holes
-// stay.
+// As above; and if the surface is open along seams, where vertices have been doubled, they are closed, unless what comes
+// of that is no surface. Other holes stay.
 Corner_table connect(Triangle_soup& soup, std::vector<Index>& turned)
 {
   try
@@ -165,7 +165,7 @@ Corner_table connect(Triangle_soup& soup, std::vector<Index>& turned)
     try
     {
       std::vector<Index> again;
-      const Corner_table table = connect_turning_faces(closed, false, again);
+      const Corner_table table = connect_turning_faces(closed, true, again);
       soup = std::move(closed);
       turn(again, turned);
       return table;

@@ -15,8 +15,8 @@ typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::
 /// reads a triangle mesh from an OFF, OBJ, PLY or STL file, told apart by their content and, where that leaves
 /// a doubt, by the extension. Vertices and faces have the numbers of the file, and the halfedge of a face starts at
 /// its first corner. A vertex on no face keeps its number, but is marked as removed. If the faces are not oriented
-/// consistently, but can be, some are turned round. If the surface is closed but for seams of doubled vertices, the
-/// first of the vertices at one position stands for all; if it has other holes, they stay as they are.
+/// consistently, but can be, some are turned round. If the surface is open along seams of doubled vertices, the first of
+/// the vertices at one position stands for all; other holes stay as they are.
 ///
 /// Throws `Input_file_error` for a file that cannot be read, and `Invalid_input` for a mesh that is not an orientable
 /// 2-manifold of triangles, with or without boundary, or has a position that is not finite or an edge of length zero.

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Distance_front.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Front_start.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Level_lengths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Rim_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Side_classes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Vertex_classes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
@@ -29,13 +30,14 @@ namespace internal {
 // curves have been swept over.
 //
 // The distance is interpolated linearly in each face, so each level set is a set of closed polygons on the mesh, whose
-// length is exact but for rounding, whatever the error of the distances.
+// length is exact but for rounding, whatever the error of the distances. Where they end on a hole they are closed along
+// its boundary.
 class Distance_sweep
 {
 public:
   // Linear in the size of the mesh.
   Distance_sweep(const Progressive_mesh& pm, const Edge_lengths& lengths)
-    : m_pm(pm), m_crossings(pm), m_front(pm, lengths), m_class(pm.number_of_vertex_ids())
+    : m_pm(pm), m_lengths(lengths), m_crossings(pm), m_front(pm, lengths), m_class(pm.number_of_vertex_ids())
   {}
 
   // Adds a curve, given by its trace, to those that later sweeps look for.
@@ -64,6 +66,13 @@ public:
     for(const Trace_point& p : trace)
       if(p.is_pivot())
         m_vertices.push_back(p.pivot);
+    for(std::size_t i = 0; m_pm.has_boundary() && i < trace.size(); ++i)
+    {
+      const Trace_point &p = trace[i], &q = trace[(i + 1) % trace.size()];
+      const Index h = p.is_pivot() && q.is_pivot() ? m_pm.halfedge(p.pivot, q.pivot) : null_index;
+      if(h != null_index && m_pm.is_on_boundary(h))
+        m_sides[m_pm.is_ghost_face(m_pm.face(h)) ? 0 : 1].rims.add(m_pm, m_lengths, h, 0, 0, 0);
+    }
     start_front(m_pm, trace, m_front, m_sides[0].start, m_sides[1].start);
     for(Index v : m_vertices)
       note_settled(v, Distance_front::both_sides);
@@ -92,6 +101,9 @@ public:
     }
     ++side.level;
     side.pieces = side.lengths.lengths(side.level);
+    if(m_pm.has_boundary())
+      side.rims.for_each(m_scale.level(side.level),
+                         [&side](std::size_t c, double length) { side.pieces.emplace_back(c, length); });
     side.length = 0;
     for(const std::pair<std::size_t, double>& piece : side.pieces)
       side.length += piece.second;
@@ -161,6 +173,7 @@ private:
   struct Side
   {
     Level_lengths lengths;
+    Rim_lengths rims;
     std::size_t level = 0;             // the last that is complete
     double length = 0;                 // of its level set
     std::vector<std::pair<std::size_t, double> > pieces; // of that: classes and lengths
@@ -172,6 +185,7 @@ private:
     void restart()
     {
       lengths.clear();
+      rims.restart();
       level = 0;
       pieces.clear();
       used_up = false;
@@ -313,6 +327,9 @@ private:
     const Index begin = h;
     do {
       const Index f = m_pm.face(h);
+      if(m_pm.has_boundary() && m_pm.is_on_boundary(h) && m_front.is_settled(m_pm.target(h), s))
+        m_sides[s].rims.add(m_pm, m_lengths, h, m_front.distance(v), m_front.distance(m_pm.target(h)),
+                            m_class.has(v) ? m_class[v] : 0);
       if(!m_front.is_barred(f))
       {
         const bool u = m_front.is_settled(m_pm.target(h), s), w = m_front.is_settled(m_pm.source(m_pm.prev(h)), s);
@@ -388,6 +405,7 @@ private:
   }
 
   const Progressive_mesh& m_pm;
+  const Edge_lengths& m_lengths;
   Curve_crossings m_crossings;
   Distance_front m_front;
   Vertex_classes m_class; // of a vertex
