@@ -29,7 +29,8 @@ OutputIterator boundary_seeds(const Progressive_mesh& pm, OutputIterator out)
     std::vector<Index> loop;
     const Index begin = pm.outgoing(ghost);
     Index h = begin;
-    do {
+    do
+    {
       loop.push_back(pm.target(h));
       h = pm.ccw(h);
     } while(h != begin);

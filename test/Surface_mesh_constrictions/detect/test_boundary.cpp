@@ -70,7 +70,7 @@ TEST(Boundary, AnOpenTubeIsOneBandAsWideAsTheTube)
   for(int n = 3; n <= 9; n += 3)
     for(int length = 1; length <= 3; ++length)
     {
-      std::vector<std::array<double, 2> > profile;
+      std::vector<std::array<double, 2>> profile;
       for(int i = 0; i <= length; ++i)
         profile.push_back({{1, static_cast<double>(i)}});
       const Mesh mesh = test_meshes::make_mesh(open_meshes::open_tube(n, profile));
@@ -101,10 +101,9 @@ TEST(Boundary, ABandThatEndsAtTheBoundaryIsProvedToHold)
 TEST(Boundary, ABandThatLeaksAtOneEndIsNone)
 {
   const Soup box = test_meshes::box(2, 2, 3);
-  const Mesh mesh = test_meshes::make_mesh(
-      open_meshes::without_faces(box, [&box](const test_meshes::Triangle& t) {
-        return std::all_of(t.begin(), t.end(), [&box](std::size_t v) { return box.points[v][2] == 3; });
-      }));
+  const Mesh mesh = test_meshes::make_mesh(open_meshes::without_faces(box, [&box](const test_meshes::Triangle& t) {
+    return std::all_of(t.begin(), t.end(), [&box](std::size_t v) { return box.points[v][2] == 3; });
+  }));
   EXPECT_TRUE(detect_all(mesh).empty());
 }
 
@@ -155,8 +154,10 @@ TEST(Boundary, OpenVersionsKeepTheNecks)
     const std::vector<same_curves::Summary> necks = summaries(closed);
     ASSERT_GE(necks.size(), 4u);
     const std::size_t bottom = closed.points.size() - 2, top = bottom + 1;
-    const std::vector<Soup> open = {open_meshes::without_face(closed, 10), open_meshes::without_star(closed, 25),
-                                    open_meshes::without_star(closed, bottom), open_meshes::without_star(closed, top),
+    const std::vector<Soup> open = {open_meshes::without_face(closed, 10),
+                                    open_meshes::without_star(closed, 25),
+                                    open_meshes::without_star(closed, bottom),
+                                    open_meshes::without_star(closed, top),
                                     open_meshes::without_star(open_meshes::without_star(closed, top), bottom),
                                     open_meshes::without_star(open_meshes::without_star(closed, 25), top)};
     for(const Soup& soup : open)
@@ -199,8 +200,7 @@ TEST(Boundary, AHoleTouchedByANeckBendsItAroundTheHole)
 }
 
 // Small open meshes: all strict constrictions by brute force, and what is detected of them.
-class Open_completeness
-  : public testing::Test
+class Open_completeness : public testing::Test
 {
 protected:
   void compare(const std::string& name, const Soup& soup)
@@ -373,6 +373,30 @@ TEST(Boundary, AHoleBesideANeckLeavesItItsProminence)
     ASSERT_GE(after.size(), 1u);
     EXPECT_EQ(after[0].length(), before[0].length());
     EXPECT_GT(after[0].prominence(), 0.7 * before[0].prominence());
+  }
+}
+
+// A slab with arms of one cell's width, each of which ends in a box that is open at its end: as many inlets and necks.
+Soup slab_with_inlets(int inlets)
+{
+  const auto is_inside = [](int i, int j, int k) { return j < 3 || (j < 6 ? i % 4 == 1 && k == 1 : i % 4 != 3); };
+  const Soup closed = test_meshes::voxels({{4 * inlets, 8, 3}}, is_inside);
+  return open_meshes::without_faces(closed, [&closed](const test_meshes::Triangle& t) {
+    return std::all_of(t.begin(), t.end(), [&closed](std::size_t v) { return closed.points[v][1] == 8; });
+  });
+}
+
+TEST(Boundary, EachInletHasItsNeck)
+{
+  for(int inlets : {3, 8})
+  {
+    const Mesh mesh = test_meshes::make_mesh(slab_with_inlets(inlets));
+    const std::vector<Constriction> curves = detect(mesh);
+    std::set<int> found;
+    for(const Constriction& c : curves)
+      if(c.length() == 4)
+        found.insert(static_cast<int>(mesh.point(c.pivots()[0].vertex).x()) / 4);
+    EXPECT_EQ(found.size(), static_cast<std::size_t>(inlets));
   }
 }
 

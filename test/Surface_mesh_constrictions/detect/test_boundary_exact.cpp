@@ -19,7 +19,8 @@ typedef CGAL::Polyhedron_3<test_meshes::Kernel> Polyhedron;
 // On another type of graph, and with exact points, the curves of a surface with boundary are the same.
 TEST(Boundary, NeitherTheKindOfPointsNorOfTheMeshMatters)
 {
-  const test_meshes::Soup soup = open_meshes::without_face(open_meshes::without_face(test_meshes::torus(0.1, 3), 40), 99);
+  const test_meshes::Soup soup =
+      open_meshes::without_face(open_meshes::without_face(test_meshes::torus(0.1, 3), 40), 99);
   const auto expected = same_curves::detect(test_meshes::make_mesh(soup), CGAL::parameters::default_values());
   ASSERT_FALSE(expected.empty());
   EXPECT_EQ(same_curves::detect(test_meshes::make_graph<Exact_mesh>(soup), CGAL::parameters::default_values()),

@@ -42,7 +42,7 @@ inline Soup without_face(Soup soup, std::size_t f)
 }
 
 // A regular tube without ends: rings of n vertices on circles, given by radius and height.
-inline Soup open_tube(int n, const std::vector<std::array<double, 2> >& profile)
+inline Soup open_tube(int n, const std::vector<std::array<double, 2>>& profile)
 {
   test_meshes::Soup_builder b;
   const auto at = [&](int i, const std::array<double, 2>& p) {
@@ -94,9 +94,8 @@ inline Soup with_random_holes(const Soup& soup, std::size_t holes, unsigned seed
     if(std::any_of(corners.begin(), corners.end(), [&](std::size_t c) { return touched.count(c) != 0; }))
       continue;
     touched.insert(corners.begin(), corners.end());
-    result = without_faces(result, [&](const Triangle& t) {
-      return std::find(taken.begin(), taken.end(), t) != taken.end();
-    });
+    result = without_faces(result,
+                           [&](const Triangle& t) { return std::find(taken.begin(), taken.end(), t) != taken.end(); });
     ++made;
   }
   return result;

@@ -151,8 +151,8 @@ TEST(Boundary_seeds, AreTheBoundariesOfTheHoles)
 
 TEST(Non_face_triangle_seeds, AHoleOfThreeEdgesIsOneAndAGhostIsInNone)
 {
-  const Progressive_mesh pm = SMC::make_progressive_mesh(
-      test_meshes::make_mesh(open_meshes::without_face(test_meshes::sharp_cone(), 3)), {});
+  const Progressive_mesh pm =
+      SMC::make_progressive_mesh(test_meshes::make_mesh(open_meshes::without_face(test_meshes::sharp_cone(), 3)), {});
   std::vector<SMC::Seed_curve> seeds, at_vertices;
   SMC::non_face_triangles(pm, std::back_inserter(seeds));
   ASSERT_EQ(seeds.size(), 1u); // face 3 is 2 3 13

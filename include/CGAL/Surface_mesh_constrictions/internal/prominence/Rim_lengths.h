@@ -35,7 +35,8 @@ public:
     {
       const Index begin = pm.outgoing(ghost);
       Index g = begin;
-      do {
+      do
+      {
         hole.total += lengths[pm.next(g)];
         g = pm.ccw(g);
       } while(g != begin);
