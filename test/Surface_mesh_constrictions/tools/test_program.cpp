@@ -333,6 +333,39 @@ TEST_F(Program, unusable_loops)
   expect_failure(1, "tighten missing.off --loops loops.txt", {"missing.off: no such file"});
 }
 
+// The sides of a cube: a band that the two square rims bound.
+TEST_F(Program, surfaces_with_boundary)
+{
+  write("tube.off", "OFF\n8 8 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                    "3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  const auto found = [this](const std::string& options) {
+    const Result r = run("detect tube.off --json - " + options);
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    return nlohmann::json::parse(r.out);
+  };
+  const nlohmann::json usual = found("");
+  EXPECT_EQ(usual["mesh"]["holes"], 2);
+  EXPECT_EQ(usual["mesh"]["genus"], 0);
+  EXPECT_EQ(usual["constrictions"].size(), 0u);
+  for(const char* options : {"--rims", "--all"})
+  {
+    const nlohmann::json j = found(options);
+    ASSERT_EQ(j["constrictions"].size(), 1u);
+    const nlohmann::json& c = j["constrictions"][0];
+    EXPECT_EQ(c["rim"], true);
+    EXPECT_EQ(c["boundary_share"], 1);
+    EXPECT_EQ(c["length"], 4);
+    EXPECT_TRUE(c["isoperimetric_ratio"].is_null()); // infinite
+    for(const nlohmann::json& pivot : c["pivots"])
+      EXPECT_NE(pivot["left_angle"].is_null(), pivot["right_angle"].is_null()) << "the hole is on one side";
+  }
+  // what detect writes certify reads
+  write("rims.json", run("detect tube.off --rims --json -").out);
+  EXPECT_EQ(run("certify tube.off --curves rims.json").exit_code, 0);
+  EXPECT_EQ(run("segment tube.off -o parts --quiet").exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(content("parts/parts.json"))["parts"][0]["boundaries"], 2);
+}
+
 TEST_F(Program, unusable_meshes)
 {
   write("touching.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n");
