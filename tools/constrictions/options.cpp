@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 const char* const description =
     "Finds the constrictions of a surface: closed curves of locally minimal length, where a rubber band around the\n"
-    "object stays put. The surface is a closed triangle mesh in an OFF, OBJ, PLY or STL file.\n";
+    "object stays put. The surface is a triangle mesh in an OFF, OBJ, PLY or STL file; it may have holes.\n";
 
 const char* const examples =
     "\nExamples:\n"
@@ -57,7 +57,7 @@ std::string not_empty(const std::string& name)
 
 void add_mesh(CLI::App& command, Options& options)
 {
-  command.add_option("MESH", options.mesh, "closed triangle mesh (OFF, OBJ, PLY or STL)")
+  command.add_option("MESH", options.mesh, "triangle mesh (OFF, OBJ, PLY or STL)")
       ->type_name("FILE")
       ->required()
       ->check(not_empty);
@@ -190,6 +190,8 @@ void add_selection_options(CLI::App& command, Selection& selection)
       "");
 
   command.add_flag("--all", selection.all, "report every distinct closed geodesic found, no selection");
+  command.add_flag("--rims", selection.rims,
+                   "report also curves that run along the boundary of a hole for most of their length");
   command.add_option("--max", selection.maximum_number, "report the N most prominent at most, or the N nearest")
       ->type_name("N")
       ->check(not_negative);

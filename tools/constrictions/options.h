@@ -27,6 +27,7 @@ struct Selection
   std::optional<double> maximum_ratio;
   std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)();
   bool all = false;
+  bool rims = false; ///< also those along the boundary of a hole
 };
 
 /// How constrictions are searched.

@@ -22,6 +22,7 @@
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Cut_locus_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Local_cut_locus_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Section_seeds}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Boundary_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Given_seeds}
 /// \cgalHasModelsEnd
 class ConstrictionSeedSource

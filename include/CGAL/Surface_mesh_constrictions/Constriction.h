@@ -68,8 +68,8 @@ public:
   {
     vertex_descriptor vertex; ///< of the mesh
     std::size_t location; ///< its place in `locations()`
-    double left_angle;    ///< radians, along the surface, on the left of the curve's direction
-    double right_angle;   ///< radians, along the surface, on the right of the curve's direction
+    double left_angle;    ///< radians, along the surface, on the left of the curve's direction; infinite to a hole
+    double right_angle;   ///< radians, along the surface, on the right of the curve's direction; infinite to a hole
   };
 
   /// A seed curve that led to the constriction, in vertices of the input mesh. A vertex of T^level that several input
@@ -95,6 +95,8 @@ public:
     std::array<std::size_t, 2> genera = {0, 0};     ///< see `Constriction::genera()`
     double isoperimetric_ratio = 0;                 ///< see `Constriction::isoperimetric_ratio()`
     Side side = Side::MIXED;                        ///< see `Constriction::side()`
+    bool rim = false;                               ///< see `Constriction::is_rim()`
+    double boundary_share = 0;                      ///< see `Constriction::boundary_share()`
     Certificate certificate;                        ///< see `Constriction::certificate()`
     double prominence = std::numeric_limits<double>::quiet_NaN(); ///< see `Constriction::prominence()`
     std::optional<std::size_t> dominated_by;        ///< see `Constriction::dominated_by()`
@@ -123,7 +125,7 @@ public:
   /// the width of the flat band of parallel copies of which this is the canonical one; 0 if there is none
   double flat_band_width() const { return m_data->flat_band_width; }
 
-  /// whether the connected component of the mesh falls apart when it is cut along the curve
+  /// whether the connected component of the mesh falls apart when it is cut along the curve, its holes filled before
   bool is_separating() const { return m_data->separating; }
 
   /// the homology class of the curve modulo 2: the numbers, ascending, of those cycles of a basis of the mesh's first
@@ -137,14 +139,24 @@ public:
   const std::array<double, 2>& areas() const { return m_data->areas; }
 
   /// genera of the parts on the left and on the right of the curve within its connected component, with their
-  /// boundary closed. Of a non-separating curve both are that of the component cut along it, one less than its own.
+  /// boundary closed, holes of the mesh too. Of a non-separating curve both are that of the component cut along it, one
+  /// less than its own.
   const std::array<std::size_t, 2>& genera() const { return m_data->genera; }
 
-  /// length^2 / (4 pi A), with A the smaller of the two areas
+  /// length^2 / (4 pi A), with A the smaller of the two areas; infinite if there is nothing on one side but a hole
   double isoperimetric_ratio() const { return m_data->isoperimetric_ratio; }
 
   /// what it chokes: what at least three quarters of the turning of the curve say
   Side side() const { return m_data->side; }
+
+  /// whether the curve runs along the boundary of one hole for most of its length: `boundary_share()` is greater than
+  /// 1/2
+  bool is_rim() const { return m_data->rim; }
+
+  /// the greatest share of the length of the curve that runs along the boundary of one hole: along its edges; and, if
+  /// there is hardly anything on the side of the hole, less than the area of a disc of that perimeter, also through
+  /// faces from one of its vertices to another, where the boundary is jagged but no more than twice as long
+  double boundary_share() const { return m_data->boundary_share; }
 
   /// what has been proved of the curve
   const Certificate& certificate() const { return m_data->certificate; }
@@ -218,7 +230,9 @@ public:
   {
     for(const Location& l : m_data->locations)
     {
-      const halfedge_descriptor h = l.is_pivot ? halfedge(l.vertex, tm) : l.halfedge;
+      halfedge_descriptor h = l.is_pivot ? halfedge(l.vertex, tm) : l.halfedge;
+      if(face(h, tm) == boost::graph_traits<TriangleMesh>::null_face()) // of a vertex on the boundary
+        h = prev(opposite(h, tm), tm);
       const face_descriptor f = face(h, tm);
       Face_location location(f, {0, 0, 0});
       halfedge_descriptor hf = halfedge(f, tm);

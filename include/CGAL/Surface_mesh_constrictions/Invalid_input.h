@@ -21,7 +21,7 @@ enum class Input_defect
   ZERO_LENGTH_EDGE,          ///< a face with two vertices at the same position, or the same vertex twice
   NON_MANIFOLD_EDGE,         ///< an edge with more than two faces, or two edges with the same ends
   INCONSISTENT_ORIENTATION,  ///< two faces that run along their common edge in the same direction
-  NOT_CLOSED,                ///< an edge with one face only
+  NOT_CLOSED,                ///< an edge with one face only, where the surface has to be closed
   NON_MANIFOLD_VERTEX,       ///< a vertex with more than one fan of faces
   INVALID_LOOP,              ///< a loop that is not a closed path of mesh edges
   IRRATIONAL_COORDINATE      ///< a coordinate of an exact kernel that is not a rational number of moderate size

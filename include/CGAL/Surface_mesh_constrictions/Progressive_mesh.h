@@ -28,7 +28,7 @@ struct Edge_collapse
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// A closed triangle mesh T^0 and a sequence of edge collapses T^0 -> T^1 -> ... -> T^n, with one of the surfaces
+/// A triangle mesh T^0 and a sequence of edge collapses T^0 -> T^1 -> ... -> T^n, with one of the surfaces
 /// current, its *level*. Going a level down (a vertex split) restores connectivity and positions bit for bit, and ids
 /// of vertices, halfedges and faces mean the same at every level.
 ///
@@ -37,6 +37,10 @@ struct Edge_collapse
 /// vertex for T^0, 32 bytes a collapse for the sequence and 12 for the lifetimes of one vertex and two faces.
 ///
 /// Face `f` has the halfedges `3 f`, `3 f + 1` and `3 f + 2`, counterclockwise.
+///
+/// The surface is closed. Each hole of a mesh with boundary is closed by one more vertex, which is joined to the edges
+/// of the hole by faces: *ghosts*, numbered after all other vertices and faces, at every level the same. They have no
+/// area, no curve enters them, and their angles are infinite. A collapse neither moves nor removes a ghost vertex.
 class Progressive_mesh
 {
 public:
@@ -71,8 +75,8 @@ public:
       m_vertex_end(m_points.size(), null_index),
       m_face_end(m_table.halfedges.size() / 3, null_index)
   {
-    for(Index h : m_table.outgoing)
-      m_number_of_vertices += h != null_index;
+    for(std::size_t v = 0; v < m_points.size() && v < m_table.first_ghost_vertex; ++v)
+      m_number_of_vertices += m_table.outgoing[v] != null_index;
   }
 
   /// \name Levels
@@ -191,7 +195,7 @@ public:
   /// Ids run from 0 to the number of elements of T^0; not all are part of the current surface.
   /// @{
 
-  /// the number of vertices of the current surface that are not isolated
+  /// the number of vertices of the current surface that are neither isolated nor ghosts
   std::size_t number_of_vertices() const { return m_number_of_vertices - m_level; }
 
   /// the coarsest level that has no fewer vertices than that; 0 if none has
@@ -200,10 +204,10 @@ public:
     return (std::min)(m_number_of_vertices > vertices ? m_number_of_vertices - vertices : 0, m_records.size());
   }
 
-  /// the number of vertices of T^0, isolated ones included
+  /// the number of vertices of T^0, isolated ones and ghosts included
   std::size_t number_of_vertex_ids() const { return m_points.size(); }
 
-  /// the number of faces of T^0
+  /// the number of faces of T^0, ghosts included
   std::size_t number_of_face_ids() const { return m_face_end.size(); }
 
   /// the number of halfedges of T^0
@@ -213,6 +217,18 @@ public:
   bool is_vertex(Index v) const { return m_vertex_end[v] >= m_level && m_table.outgoing[v] != null_index; }
   /// whether `f` is a face of the current surface
   bool is_face(Index f) const { return m_face_end[f] >= m_level; }
+
+  /// whether the mesh has a boundary
+  bool has_boundary() const { return m_table.first_ghost_vertex != null_index; }
+  /// the number of holes, each of which has one ghost vertex
+  std::size_t number_of_holes() const
+  {
+    return has_boundary() ? m_points.size() - m_table.first_ghost_vertex : 0;
+  }
+  /// whether `v` is the ghost vertex of a hole
+  bool is_ghost_vertex(Index v) const { return v >= m_table.first_ghost_vertex; }
+  /// whether `f` is a face of a ghost vertex
+  bool is_ghost_face(Index f) const { return f >= m_table.first_ghost_face; }
 
   /// the vertex of the current surface that the vertex `v` of T^0 has been merged into. Linear in the number of its
   /// merges.
@@ -260,6 +276,25 @@ public:
 
   /// the halfedge out of `source(h)` that follows `h` clockwise
   Index cw(Index h) const { return next(opposite(h)); }
+
+  /// whether the edge of a halfedge is on the boundary: whether one of its two faces is a ghost
+  bool is_on_boundary(Index h) const { return is_ghost_face(face(h)) != is_ghost_face(face(opposite(h))); }
+
+  /// a halfedge out of `v` that lies in a ghost face and on the boundary, so that the hole is on its left; `null_index`
+  /// if `v` is not on the boundary. Linear in the degree of `v` on surfaces with boundary.
+  Index along_hole(Index v) const
+  {
+    const Index begin = has_boundary() ? outgoing(v) : null_index;
+    for(Index h = begin; h != null_index;)
+    {
+      if(is_ghost_face(face(h)) && !is_ghost_face(face(opposite(h))))
+        return h;
+      h = ccw(h);
+      if(h == begin)
+        break;
+    }
+    return null_index;
+  }
 
   /// the halfedge from `u` to `v`, or `null_index`. Linear in the degree of `u`.
   Index halfedge(Index u, Index v) const

@@ -25,7 +25,8 @@ enum class Seed_origin
   CUT_LOCUS,         ///< a loop through the cut locus of a vertex of a simplified surface
   SECTION,           ///< a piece of a level set of a function on a simplified surface
   BARRIER,           ///< what a longer constriction becomes when it has been moved over its lowest barrier
-  USER               ///< a loop given by the user
+  USER,              ///< a loop given by the user
+  BOUNDARY           ///< the boundary of a hole
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef

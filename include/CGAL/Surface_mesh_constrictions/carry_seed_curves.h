@@ -39,7 +39,8 @@ struct Carrying_parameters
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// carries seed curves from their levels to T^0 as paths of edges, without straightening them on coarse levels.
 ///
-/// The seeds are merged on a coarse level, see `merge_seed_curves()`. Those that are kept go on as paths of edges. On
+/// The seeds are merged on a coarse level, see `merge_seed_curves()`. Those that are kept go on as paths of edges, and
+/// so do boundaries of T^0, whatever is kept: they are few, and a rim is judged on the input. On
 /// large meshes they are tightened on a few fine levels on the way, where hardly any curve is lost by that, so that
 /// little is left to be done on T^0.
 ///
@@ -60,10 +61,17 @@ template <class ConcurrencyTag = Sequential_tag, class OutputIterator, class Vis
 OutputIterator carry_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& seeds,
                                  const Carrying_parameters& parameters, OutputIterator out, Visitor& visitor)
 {
-  std::vector<Seed_curve> curves = seeds;
-  std::vector<std::vector<std::size_t> > stands_for(seeds.size()); // seeds of a curve
+  std::vector<Seed_curve> curves;
+  std::vector<std::vector<std::size_t> > stands_for; // seeds of a curve
+  std::vector<std::size_t> boundaries;               // of T^0
   for(std::size_t i = 0; i < seeds.size(); ++i)
-    stands_for[i].push_back(i);
+    if(seeds[i].origin == Seed_origin::BOUNDARY && seeds[i].level == 0)
+      boundaries.push_back(i);
+    else
+    {
+      curves.push_back(seeds[i]);
+      stands_for.push_back({i});
+    }
 
   Merging_parameters merging = parameters.merging;
   const auto merge_on = [&](std::size_t level) {
@@ -118,6 +126,8 @@ OutputIterator carry_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& 
   }
   for(std::size_t i = 0; i < paths.size(); ++i)
     *out++ = Refined_curve{Closed_curve(paths.path(i)), stands_for[order[i]], false};
+  for(std::size_t i : boundaries)
+    *out++ = Refined_curve{Closed_curve(seeds[i].vertices), {i}, false};
   return out;
 }
 

@@ -25,15 +25,16 @@ namespace Surface_mesh_constrictions {
 /// together; each arc between two pivots is straight in its unfolded strip and crosses the inside of each edge; both
 /// side angles at each pivot are at least pi; the curve neither crosses nor touches itself (Proposition 9 of the
 /// paper); and if all angles on one side are equal to pi, the flat band on that side holds at its end. There is no
-/// tolerance: see the section on certificates in the user manual for the proof that these conditions suffice, and for
-/// the way in which signs are decided.
+/// tolerance. At a vertex on the boundary of the mesh the angle on the side of the hole is infinite, and a flat band
+/// that ends at the boundary holds there. See the section on certificates in the user manual for the proof that these
+/// conditions suffice, and for the way in which signs are decided.
 ///
 /// A curve without pivots is examined through the parallel copy of it that passes through vertices on its right.
 ///
 /// \tparam TriangleMesh a model of `HalfedgeGraph` with totally ordered descriptors
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh
+/// \param tm a triangle mesh, closed or with boundary
 /// \param curve a closed curve on it
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -47,8 +48,8 @@ namespace Surface_mesh_constrictions {
 /// \cgalNamedParamsEnd
 ///
 /// \return the verdict, with the place of the first condition that is violated
-/// \throws Invalid_input if a coordinate is no rational number of moderate size, or if the curve comes to a border or
-///         to a face that is not a triangle
+/// \throws Invalid_input if a coordinate is no rational number of moderate size, or if the curve comes to a face that
+///         is not a triangle
 /// \cost if intervals of doubles decide, linear up to a logarithm in the number of crossings and in the degrees of the
 ///       pivots, plus the squared number of pieces of the curve in each face, plus the faces of a flat band times the
 ///       parallel copies in it that meet vertices. A sign that they leave open costs, for an arc with k crossings, O(k)

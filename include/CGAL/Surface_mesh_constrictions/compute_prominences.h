@@ -196,7 +196,7 @@ std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<
                                                  const Progressive_mesh& pm)
 {
   std::unordered_map<std::size_t, Index> index;
-  for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+  for(Index v = 0; v < imported.number_of_vertices(); ++v)
     index.emplace(get(vim, imported.vertex(v)), v);
   const TriangleMesh& tm = imported.mesh();
   std::vector<std::vector<Trace_point> > traces;
@@ -248,7 +248,7 @@ std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<
 /// \tparam OutputIterator takes `Constriction<TriangleMesh>`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh
+/// \param tm a triangle mesh, closed or with boundary
 /// \param constrictions constrictions of `tm`, as computed on it with the same points
 /// \param out the same constrictions in the same order, with `Constriction::prominence()`,
 ///        `Constriction::dominated_by()`, `Constriction::crosses()` and `Constriction::crosses_oddly()`

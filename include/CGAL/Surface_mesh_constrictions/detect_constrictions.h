@@ -42,13 +42,16 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// finds constrictions of a closed triangle mesh: simple closed curves on it whose length is locally minimal.
+/// finds constrictions of a triangle mesh: simple closed curves on it whose length is locally minimal.
 ///
 /// The mesh is copied and the copy simplified by edge collapses; seed curves are found on the way; the collapses are
 /// undone one by one and the curves carried along; on the input mesh they are tightened until they are closed
 /// geodesics. Degenerate curves are dropped and equal ones merged. Of the closed geodesics that are left those are
 /// selected that a person would call necks, each once: see `select_constrictions()`. This is the method of
 /// \cgalCite{ha_dccps_03}. The function is the composition of the package's stages; see the user manual.
+///
+/// The boundary of a mesh is an obstacle: curves may touch it, and run along it. See "Surfaces with Boundary" in the
+/// user manual.
 ///
 /// The same input gives the same output. `tm` is not changed. Of meshes with more than 2,048 vertices prominences are
 /// measured on the surface with 2,048, but for curves that are not found there.
@@ -59,8 +62,8 @@ namespace Surface_mesh_constrictions {
 /// \tparam OutputIterator takes `Constriction<TriangleMesh>`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh, any genus, any number of connected components. Faces of area zero and isolated
-///        vertices are allowed, edges of length zero are not.
+/// \param tm a triangle mesh, closed or with boundary, any genus, any number of connected components. Faces of area
+///        zero and isolated vertices are allowed, edges of length zero are not.
 /// \param out the selected constrictions, the most prominent first
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -148,6 +151,12 @@ namespace Surface_mesh_constrictions {
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{rim_constrictions}
+///     \cgalParamDescription{whether to select also rims, see `Constriction::is_rim()`, whatever their prominence and
+///                           isoperimetric ratio}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{all_constrictions}
 ///     \cgalParamDescription{whether to select every distinct closed geodesic that was found. A user who keeps them all
 ///                           can select again at no cost: see `select_by_prominence()`.}
@@ -193,6 +202,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   const bool selects_all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
   const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                                 default_maximum_isoperimetric_ratio);
+  const bool with_rims = choose_parameter(get_parameter(np, internal_np::rim_constrictions), false);
 
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();
@@ -224,7 +234,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
       });
   const internal::Surface_sides sides(pm);
   if(!selects_all)
-    statistics.not_selected += internal::drop_too_long<ConcurrencyTag>(network, sides, maximum_ratio, found);
+    statistics.not_selected += internal::drop_too_long<ConcurrencyTag>(network, sides, maximum_ratio, with_rims, found);
   visitor.on_stage_end(Detection_stage::TIGHTENING);
 
   // what certifies curves and corrects them

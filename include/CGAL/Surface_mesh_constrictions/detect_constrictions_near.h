@@ -57,7 +57,7 @@ struct Statistics_keeper
 /// \tparam OutputIterator takes `Constriction<TriangleMesh>`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh, as for `detect_constrictions()`
+/// \param tm a triangle mesh, as for `detect_constrictions()`
 /// \param location a point on the surface or near it
 /// \param out the constrictions, the nearest first. The places that `Constriction::dominated_by()` and
 ///        `Constriction::crosses()` name are those in this sequence, and prominences are with respect to the

@@ -11,13 +11,16 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -42,8 +45,8 @@ struct Part_cap
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// makes a mesh of each part into which marked edges divide a closed mesh, and closes its holes: meshes for printing or
-/// simulation.
+/// makes a mesh of each part into which marked edges divide a mesh, and closes the holes along them: meshes for
+/// printing or simulation.
 ///
 /// The mesh is opened along the marked edges. A vertex there is doubled, so that parts that touch themselves or others
 /// become manifold, and a part on both sides of a curve, as of a torus along a meridian, gets two holes.
@@ -56,6 +59,8 @@ struct Part_cap
 /// all of them are closed by cones to one common point. Where a curve touches itself or another, the hole is closed as
 /// several.
 ///
+/// Holes of the mesh stay open, and so does a hole that runs partly along one of them.
+///
 /// A cap may intersect its part where the surface is strongly bent around a curve, or where the part reaches through the
 /// curve. Which do is told if `cap_output_iterator` is given. The volume of a part is negative if its surface encloses
 /// what is outside of the solid, as the wall of a pocket closed by a cap over its opening.
@@ -66,7 +71,7 @@ struct Part_cap
 /// \tparam OutputIterator takes `TriangleMesh`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh
+/// \param tm a triangle mesh
 /// \param edge_is_constrained_map marks closed curves, as `split_along_constrictions()` does
 /// \param out the parts in the order of `CGAL::Polygon_mesh_processing::connected_components()`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -78,7 +83,8 @@ struct Part_cap
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{with_caps}
-///     \cgalParamDescription{whether holes are filled; a function of `CGAL::Surface_mesh_constrictions::parameters`}
+///     \cgalParamDescription{whether holes along marked edges are filled; a function of
+///                           `CGAL::Surface_mesh_constrictions::parameters`}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd

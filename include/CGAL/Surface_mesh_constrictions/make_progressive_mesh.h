@@ -20,7 +20,7 @@ namespace Surface_mesh_constrictions {
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm the mesh before the first collapse, closed; unchanged. Vertex `i` of the progressive mesh is the `i`-th
+/// \param tm the mesh before the first collapse; unchanged. Vertex `i` of the progressive mesh is the `i`-th
 ///        one of `vertices(tm)`, face `i` the `i`-th one of `faces(tm)`.
 /// \param collapses the record of a `Collapse_recording_visitor`, in these vertex numbers
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below

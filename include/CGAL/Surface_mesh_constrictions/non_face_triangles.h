@@ -16,7 +16,7 @@ namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// writes the non-face triangles of the current surface: three edges that bound no face, each once (Section 4.1 of the
-/// paper).
+/// paper). The boundary of a hole of three edges is one.
 ///
 /// \param pm the surface; unchanged
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
@@ -28,21 +28,21 @@ OutputIterator non_face_triangles(const Progressive_mesh& pm, OutputIterator out
   const auto level = pm.level();
   for(Index u = 0; u < pm.number_of_vertex_ids(); ++u)
   {
-    if(!pm.is_vertex(u))
+    if(!pm.is_vertex(u) || pm.is_ghost_vertex(u))
       continue;
     // u < v < w: u v is an edge, w a neighbour of v that is also one of u
     const Index begin = pm.outgoing(u);
     Index uv = begin;
     do {
       const Index v = pm.target(uv);
-      if(u < v)
+      if(u < v && !pm.is_ghost_vertex(v))
       {
         const Index left = pm.target(pm.next(uv)), right = pm.target(pm.next(pm.opposite(uv)));
         const Index vbegin = pm.outgoing(v);
         Index vw = vbegin;
         do {
           const Index w = pm.target(vw);
-          if(v < w && w != left && w != right && pm.halfedge(u, w) != null_index)
+          if(v < w && !pm.is_ghost_vertex(w) && w != left && w != right && pm.halfedge(u, w) != null_index)
             *out++ = Seed_curve{level, {u, v, w}, Seed_origin::NON_FACE_TRIANGLE};
           vw = pm.ccw(vw);
         } while(vw != vbegin);
@@ -80,11 +80,13 @@ OutputIterator non_face_triangles_at_vertex(const Progressive_mesh& pm, Index v,
   for(std::size_t i = 0; i < n; ++i)
   {
     const Index x = ring[i], before = ring[(i + n - 1) % n], after = ring[(i + 1) % n];
+    if(pm.is_ghost_vertex(x))
+      continue;
     const Index xbegin = pm.outgoing(x);
     Index xy = xbegin;
     do {
       const Index y = pm.target(xy);
-      if(x < y && (bits & bit(y)) != 0 && y != before && y != after &&
+      if(x < y && !pm.is_ghost_vertex(y) && (bits & bit(y)) != 0 && y != before && y != after &&
          std::find(ring.begin(), ring.end(), y) != ring.end())
         *out++ = Seed_curve{pm.level(), {v, x, y}, Seed_origin::NON_FACE_TRIANGLE};
       xy = pm.ccw(xy);

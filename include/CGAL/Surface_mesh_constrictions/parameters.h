@@ -40,6 +40,7 @@ enum maximum_isoperimetric_ratio_t { maximum_isoperimetric_ratio };
 enum maximum_number_of_constrictions_t { maximum_number_of_constrictions };
 enum crossing_constrictions_t { crossing_constrictions };
 enum all_constrictions_t { all_constrictions };
+enum rim_constrictions_t { rim_constrictions };
 enum maximum_number_of_parts_t { maximum_number_of_parts };
 enum choked_side_t { choked_side };
 enum with_caps_t { with_caps };
@@ -135,6 +136,11 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(crossing_constrictions)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(all_constrictions)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Whether to select also rims, see `Constriction::is_rim()`, whatever their prominence and isoperimetric ratio.
+/// Type: `bool`. Default: `false`. Of the detections and the selections.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(rim_constrictions)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// How many parts a surface is cut into at most. Type: `std::size_t`. Default: unset, all curves cut.
 /// Of `segment_by_constrictions()` and `split_along_constrictions()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_parts)
@@ -145,7 +151,8 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_parts)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(choked_side)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
-/// Whether the holes of the parts are filled. Type: `bool`. Default: `true`. Of `extract_parts()`.
+/// Whether the holes along which parts have been cut off are filled. Type: `bool`. Default: `true`. Of
+/// `extract_parts()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(with_caps)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters

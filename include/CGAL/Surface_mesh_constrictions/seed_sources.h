@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/boundary_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_loop.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/unfolding.h>
@@ -224,6 +225,28 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Seed source: the boundaries of the holes, see `boundary_seeds()`, of T^0 and of one coarse surface. None on closed
+/// meshes.
+///
+/// \cgalModels{ConstrictionSeedSource}
+class Boundary_seeds
+{
+public:
+  /// \param vertices the number of vertices of the coarse surface
+  explicit Boundary_seeds(std::size_t vertices = 1000) : m_vertices(vertices) {}
+
+  /// writes the seeds of the level
+  template <class OutputIterator>
+  OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
+  {
+    return pm.level() == 0 || is_level_with(pm, level, m_vertices) ? boundary_seeds(pm, out) : out;
+  }
+
+private:
+  std::size_t m_vertices;
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Several seed sources as one: what each of them writes, in their order.
 ///
 /// \cgalModels{ConstrictionSeedSource}
@@ -254,10 +277,12 @@ private:
 ///
 /// \cgalModels{ConstrictionSeedSource}
 struct Default_seed_sources
-  : public Seed_sources<Non_face_triangle_seeds, Cut_locus_seeds, Section_seeds>
+  : public Seed_sources<Non_face_triangle_seeds, Cut_locus_seeds, Section_seeds, Boundary_seeds>
 {
-  /// non-face triangles, cut locus and sections, each with its defaults
-  Default_seed_sources() : Seed_sources(Non_face_triangle_seeds(), Cut_locus_seeds(), Section_seeds()) {}
+  /// non-face triangles, cut locus, sections and boundaries, each with its defaults
+  Default_seed_sources()
+    : Seed_sources(Non_face_triangle_seeds(), Cut_locus_seeds(), Section_seeds(), Boundary_seeds())
+  {}
 };
 
 } // namespace Surface_mesh_constrictions

@@ -36,7 +36,7 @@ namespace Surface_mesh_constrictions {
 /// \tparam FacePatchMap a model of `WritablePropertyMap` with the faces of `tm` as key type and an integer value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh
+/// \param tm a triangle mesh, closed or with boundary
 /// \param curves closed curves on `tm`, of which the locations and the prominence count
 /// \param face_patch_map is given, for each face, the number of a part, counted from 0
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below

@@ -77,6 +77,12 @@ constexpr std::size_t prominence_vertices = 2048;
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{rim_constrictions}
+///     \cgalParamDescription{whether to select also rims, see `Constriction::is_rim()`, whatever their prominence and
+///                           isoperimetric ratio}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{all_constrictions}
 ///     \cgalParamDescription{whether to select all, whatever their prominence, isoperimetric ratio and crossings}
 ///     \cgalParamType{`bool`}
@@ -104,11 +110,13 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
                                                       (std::numeric_limits<std::size_t>::max)());
   const bool with_crossing = choose_parameter(get_parameter(np, internal_np::crossing_constrictions), false);
   const bool all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
+  const bool with_rims = choose_parameter(get_parameter(np, internal_np::rim_constrictions), false);
 
   const std::vector<Result> given(constrictions.begin(), constrictions.end());
   std::vector<std::size_t> order;
   for(std::size_t i = 0; i < given.size(); ++i)
-    if(all || (given[i].prominence() >= minimum_prominence &&
+    if(all || (given[i].is_rim() && with_rims) ||
+       (!given[i].is_rim() && given[i].prominence() >= minimum_prominence &&
                (!given[i].is_separating() || given[i].isoperimetric_ratio() <= maximum_ratio)))
       order.push_back(i);
   std::stable_sort(order.begin(), order.end(), [&given](std::size_t i, std::size_t j) {
@@ -157,7 +165,7 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
 /// \tparam OutputIterator takes `Constriction<TriangleMesh>`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh
+/// \param tm a triangle mesh, closed or with boundary
 /// \param constrictions constrictions of `tm`, as computed on it with the same points
 /// \param out the selected ones, the most prominent first
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of the two functions

@@ -137,7 +137,7 @@ auto edge_mark(const NamedParameters& np)
 ///     \cgalParamDefault{unset: all curves cut}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_parts}
-///     \cgalParamDescription{how many parts there are at most; the mesh must be closed}
+///     \cgalParamDescription{how many parts there are at most}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{unset: all curves cut}
 ///   \cgalParamNEnd

@@ -77,7 +77,7 @@ inline Tightening_verdict tightening_verdict(const Certificate& certificate, boo
 /// \tparam OutputIterator takes `Tightened_curve<TriangleMesh>`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh, any genus, any number of connected components
+/// \param tm a triangle mesh, closed or with boundary, any genus, any number of connected components
 /// \param loops closed paths of mesh edges, each the cyclic sequence of its vertices, the first not repeated
 /// \param out one result for each loop, in order
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
@@ -122,7 +122,7 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
   imported.rescale();
   const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
   std::unordered_map<std::size_t, Index> index;
-  for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+  for(Index v = 0; v < imported.number_of_vertices(); ++v)
     index.emplace(get(vim, imported.vertex(v)), v);
 
   internal::Curve_network network(pm, false);
@@ -161,7 +161,7 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// shortens one closed loop of edges until it is a closed geodesic, or found degenerate; see `tighten_closed_curves()`.
 ///
-/// \param tm a closed triangle mesh
+/// \param tm a triangle mesh, closed or with boundary
 /// \param loop a range of vertex descriptors
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `tighten_closed_curves()`
 ///

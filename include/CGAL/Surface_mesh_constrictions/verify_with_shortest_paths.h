@@ -42,7 +42,7 @@ inline void add_verdict(const Arc_verdict& verdict, std::size_t location, Shorte
 /// parameters of `locations()` are used, and none of the code that computed them. Arcs are of two kinds:
 ///
 /// - *at a vertex* that the curve passes through: from the last point before it to the first point after it on the link
-///   of the vertex, in the star of the vertex;
+///   of the vertex, in the star of the vertex; on the boundary of the mesh that is a fan of faces;
 /// - *between two vertices*: in the strip of the faces that are passed, a face that is passed twice being there twice.
 ///   A strip of more than `maximum_number` faces is cut into pieces.
 ///
@@ -55,7 +55,8 @@ inline void add_verdict(const Arc_verdict& verdict, std::size_t location, Shorte
 /// \f$\pi\f$ or more its total angle is \f$2\pi\f$ or more. Either patch is simply connected and nowhere positively
 /// curved; there geodesics are unique and shortest. In a larger patch that need not be so: behind a cone tip there can
 /// be a shorter way. Conversely, where a side angle is less than \f$\pi\f$ the way around that side of the vertex is
-/// shorter, and the star contains it.
+/// shorter, and the star contains it. A fan at the boundary is a disc without interior vertices, and the way around the
+/// hole is not in it.
 ///
 /// An arc is confirmed if it is not longer than CGAL's distance \f$d\f$, up to \f$10^{-9} d\f$, and if CGAL's path
 /// crosses the same edges in the same order, nowhere further from the arc than \f$10^{-9}\f$ of the patch's size, which
@@ -83,7 +84,7 @@ inline void add_verdict(const Arc_verdict& verdict, std::size_t location, Shorte
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a closed triangle mesh
+/// \param tm a triangle mesh, closed or with boundary
 /// \param curve a closed curve on it
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
 ///

@@ -65,12 +65,24 @@ TEST(Bad_input, EmptyMesh)
   expect_mesh_defect(Input_defect::EMPTY_MESH, 0, {"empty"}, Mesh());
 }
 
+// Where a closed surface is needed.
 TEST(Bad_input, HoleNamesItsEdge)
 {
-  test_meshes::Soup soup = test_meshes::tetrahedron();
-  soup.faces.pop_back(); // 0 3 2
-  expect_mesh_defect(Input_defect::NOT_CLOSED, 0, {"not closed", "vertices 0 and 2", "face 0"},
-                     test_meshes::make_mesh(soup));
+  expect_table_defect(Input_defect::NOT_CLOSED, 0, {"not closed", "vertices 0 and 2", "face 0"}, 4,
+                      {0, 2, 1, 0, 1, 3, 1, 2, 3});
+}
+
+// Surfaces that touch at a vertex are none, with holes or without.
+TEST(Bad_input, VertexOfTwoHoles)
+{
+  // two triangles that share vertex 0, and a triangle at a vertex of a tetrahedron
+  expect_mesh_defect(Input_defect::NON_MANIFOLD_VERTEX, 0, {"non-manifold vertex", "vertex 0"},
+                     test_meshes::make_mesh({{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{-1, 0, 0}}, {{0, -1, 1}}},
+                                             {{{0, 1, 2}}, {{0, 3, 4}}}}));
+  for(bool with_border : {false, true})
+    expect_defect(with_border ? Input_defect::NON_MANIFOLD_VERTEX : Input_defect::NOT_CLOSED, with_border ? 3 : 4, {}, [&] {
+      SMC::internal::make_corner_table(6, {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2, 3, 4, 5}, with_border);
+    });
 }
 
 TEST(Bad_input, FaceOfFourCorners)

@@ -5,11 +5,12 @@
 // All strict constrictions of a small mesh up to a given length, by brute force.
 //
 // A strict constriction is a cycle of straight segments between saddle vertices, those whose angles add up to more than
-// 2 pi, that leaves an angle of at least pi on both sides of each of them. All straight segments are found by unfolding
+// 2 pi, that leaves an angle of at least pi on both sides of each of them. The angle to a hole is infinite, so vertices
+// on the boundary are saddles. All straight segments are found by unfolding
 // the faces that can be seen from each saddle vertex, and all cycles of them by a depth-first search. What is found is
 // certified with exact arithmetic, which also tells the simple cycles from the others.
 //
-// No vertex of the mesh may have a total angle of exactly 2 pi: segments straight through it would not be found.
+// No vertex inside the mesh may have a total angle of exactly 2 pi: segments straight through it would not be found.
 
 #include "geodesic_check.h"
 #include "test_meshes.h"
@@ -84,16 +85,26 @@ private:
     m_segments_from.resize(m_mesh.number_of_vertices());
     for(Vertex v : m_mesh.vertices())
     {
-      const Halfedge begin = m_mesh.opposite(m_mesh.halfedge(v));
+      const Halfedge begin = first_halfedge(v);
       Halfedge h = begin;
       double sum = 0;
       do {
         m_offset[h] = sum;
-        sum += std::arg(corner(h));
+        sum += m_mesh.is_border(h) ? std::numeric_limits<double>::infinity() : std::arg(corner(h));
         h = m_mesh.opposite(m_mesh.prev(h));
       } while(h != begin);
       m_total[v] = sum;
     }
+  }
+
+  // Out of a vertex; on the boundary the one from which the faces are counterclockwise, and the hole comes last.
+  Halfedge first_halfedge(Vertex v) const
+  {
+    Halfedge h = m_mesh.opposite(m_mesh.halfedge(v));
+    for(Halfedge in : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+      if(m_mesh.is_border(in))
+        h = m_mesh.opposite(in);
+    return h;
   }
 
   // Where the third vertex of the face of h is, with the source of h in the origin and its target on the real axis.
@@ -113,10 +124,12 @@ private:
   // Appends all segments from a vertex: along the edges, and through the faces.
   void find_segments(Vertex v)
   {
-    const Halfedge begin = m_mesh.opposite(m_mesh.halfedge(v));
+    const Halfedge begin = first_halfedge(v);
     Halfedge h = begin;
     do {
       add_segment(v, m_mesh.target(h), edge_length(h), m_offset[h], m_offset[m_mesh.opposite(h)], {}, 0);
+      if(m_mesh.is_border(h))
+        break;
       const Complex right = edge_length(h), left = corner(h);
       std::vector<Portal> strip = {{m_mesh.next(h), right, left}};
       look_through(v, h, strip, right, left);
@@ -129,7 +142,7 @@ private:
   void look_through(Vertex v, Halfedge first, std::vector<Portal>& strip, Complex right, Complex left)
   {
     const Portal p = strip.back();
-    if(distance(p, right, left) > m_max_length)
+    if(m_mesh.is_border(m_mesh.opposite(p.halfedge)) || distance(p, right, left) > m_max_length)
       return;
     const Halfedge o = m_mesh.opposite(p.halfedge), beside_source = m_mesh.next(o), beside_target = m_mesh.prev(o);
     const Vertex w = m_mesh.target(beside_source);
@@ -185,8 +198,7 @@ private:
     for(Segment& s : m_segments)
       for(std::size_t t : m_segments_from[s.to])
       {
-        const double left = left_angle(s, m_segments[t]);
-        if(left > CGAL_PI - rounding && m_total[s.to] - left > CGAL_PI - rounding)
+        if(left_angle(s, m_segments[t]) > CGAL_PI - rounding && right_angle(s, m_segments[t]) > CGAL_PI - rounding)
           s.successors.push_back(t);
       }
   }
@@ -196,6 +208,11 @@ private:
   {
     const double angle = s.end - t.start;
     return angle < 0 ? angle + m_total[s.to] : angle;
+  }
+  double right_angle(const Segment& s, const Segment& t) const
+  {
+    const double angle = t.start - s.end;
+    return angle <= 0 ? angle + m_total[s.to] : angle;
   }
 
   // Lengths of shortest paths of segments (Floyd and Warshall): how much a path must get longer before it closes.
@@ -247,8 +264,8 @@ private:
     for(std::size_t i = 0; i < path.size(); ++i)
     {
       const Segment &before = m_segments[path[(i + path.size() - 1) % path.size()]], &s = m_segments[path[i]];
-      const double left = left_angle(before, s);
-      data.pivots.push_back({s.locations[0].vertex, data.locations.size(), left, m_total[s.from] - left});
+      data.pivots.push_back(
+          {s.locations[0].vertex, data.locations.size(), left_angle(before, s), right_angle(before, s)});
       data.locations.insert(data.locations.end(), s.locations.begin(), s.locations.end());
     }
     data.length = length;

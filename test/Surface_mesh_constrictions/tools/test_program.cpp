@@ -55,7 +55,7 @@ TEST_F(Program, detect_prints_json_only)
   EXPECT_EQ(j["format"], "constrictions/1");
 
   const auto& mesh = j["mesh"];
-  EXPECT_EQ(keys(mesh), (Keys{"file", "vertices", "faces", "components", "genus", "area"}));
+  EXPECT_EQ(keys(mesh), (Keys{"file", "vertices", "faces", "components", "genus", "holes", "area"}));
   EXPECT_EQ(mesh["file"], "dumbbell.off");
   EXPECT_EQ(mesh["vertices"], 116);
   EXPECT_EQ(mesh["faces"], 228);
@@ -66,7 +66,8 @@ TEST_F(Program, detect_prints_json_only)
   ASSERT_EQ(j["constrictions"].size(), 1u);
   const auto& c = j["constrictions"][0];
   EXPECT_EQ(keys(c), (Keys{"id", "length", "points", "locations", "pivots", "certificate", "side", "separating",
-                           "areas", "genera", "isoperimetric_ratio", "prominence", "dominated_by", "seed"}));
+                           "areas", "genera", "isoperimetric_ratio", "prominence", "dominated_by", "rim",
+                           "boundary_share", "seed"}));
   EXPECT_EQ(c["id"], 0);
   EXPECT_DOUBLE_EQ(c["length"], 4);
   EXPECT_EQ(c["points"].size(), c["locations"].size());
@@ -332,14 +333,47 @@ TEST_F(Program, unusable_loops)
   expect_failure(1, "tighten missing.off --loops loops.txt", {"missing.off: no such file"});
 }
 
+// The sides of a cube: a band that the two square rims bound.
+TEST_F(Program, surfaces_with_boundary)
+{
+  write("tube.off", "OFF\n8 8 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                    "3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  const auto found = [this](const std::string& options) {
+    const Result r = run("detect tube.off --json - " + options);
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    return nlohmann::json::parse(r.out);
+  };
+  const nlohmann::json usual = found("");
+  EXPECT_EQ(usual["mesh"]["holes"], 2);
+  EXPECT_EQ(usual["mesh"]["genus"], 0);
+  EXPECT_EQ(usual["constrictions"].size(), 0u);
+  for(const char* options : {"--rims", "--all"})
+  {
+    const nlohmann::json j = found(options);
+    ASSERT_EQ(j["constrictions"].size(), 1u);
+    const nlohmann::json& c = j["constrictions"][0];
+    EXPECT_EQ(c["rim"], true);
+    EXPECT_EQ(c["boundary_share"], 1);
+    EXPECT_EQ(c["length"], 4);
+    EXPECT_TRUE(c["isoperimetric_ratio"].is_null()); // infinite
+    for(const nlohmann::json& pivot : c["pivots"])
+      EXPECT_NE(pivot["left_angle"].is_null(), pivot["right_angle"].is_null()) << "the hole is on one side";
+  }
+  // what detect writes certify reads
+  write("rims.json", run("detect tube.off --rims --json -").out);
+  EXPECT_EQ(run("certify tube.off --curves rims.json").exit_code, 0);
+  EXPECT_EQ(run("segment tube.off -o parts --quiet").exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(content("parts/parts.json"))["parts"][0]["boundaries"], 2);
+}
+
 TEST_F(Program, unusable_meshes)
 {
-  write("open.off", std::string(tetrahedron).replace(4, 3, "4 3"));
+  write("touching.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n");
   write("nan.off", std::string(tetrahedron).replace(std::string(tetrahedron).find("0 1 0"), 5, "0 n 0"));
   write("infinite.off", std::string(tetrahedron).replace(std::string(tetrahedron).find("0 1 0"), 5, "0 inf 0"));
   write("flat.off", std::string(tetrahedron).replace(std::string(tetrahedron).find("0 1 0"), 5, "1 0 0"));
   write("empty.off", "");
-  expect_failure(1, "detect open.off", {"open.off: ", "not closed", "face"});
+  expect_failure(1, "detect touching.off", {"touching.off: ", "non-manifold vertex", "vertex 0"});
   expect_failure(1, "detect nan.off", {"nan.off: ", "line 5", "vertex 2"});
   expect_failure(1, "detect infinite.off", {"infinite.off: ", "vertex 2", "inf"});
   expect_failure(1, "detect flat.off", {"flat.off: ", "vertices 2 and 1", "face 0"});

@@ -62,7 +62,7 @@ protected:
     fs::create_directory(folder / "meshes");
     write("meshes/a dumbbell.off", dumbbell().off());
     write("meshes/tetrahedron.OFF", tetrahedron);
-    write("meshes/open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    write("meshes/touching.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n");
     write("meshes/not a mesh.ply", "no mesh");
     write("meshes/empty.stl", "");
     write("meshes/readme.txt", "not a mesh, and not meant as one");
@@ -203,7 +203,7 @@ TEST_F(Batch, each_mesh_of_a_folder_has_a_line)
     EXPECT_EQ(good.at(member), expected.at(member)) << member;
   EXPECT_EQ(found.at("meshes/tetrahedron.OFF").at("constrictions"), json::array());
 
-  for(const char* file : {"meshes/open.off", "meshes/not a mesh.ply", "meshes/empty.stl"})
+  for(const char* file : {"meshes/touching.off", "meshes/not a mesh.ply", "meshes/empty.stl"})
   {
     const json& failed = found.at(file);
     EXPECT_EQ(failed.at("status"), "failed");

@@ -70,6 +70,7 @@ nlohmann::ordered_json settings(const Options& options)
                                    {"seeds", options.search.triangles_only ? "triangles" : "all"},
                                    {"certify", options.search.certifies},
                                    {"all", s.all},
+                                   {"rims", s.rims},
                                    {"max", nullptr},
                                    {"min-prominence", or_null(s.minimum_prominence)},
                                    {"max-ratio", or_null(s.maximum_ratio)}};

@@ -9,6 +9,8 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <algorithm>
+#include <limits>
+#include <cmath>
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -79,11 +81,13 @@ SMC::Split_curves<Mesh> split(const std::vector<Constriction>& constrictions, co
   return result;
 }
 
-Part measured_part(const Mesh& open, Mesh&& closed, bool is_open)
+// `capped` has the holes of the input, `closed` has none.
+Part measured_part(const Mesh& open, Mesh&& capped, const Mesh& closed, bool is_open)
 {
   Part part;
   part.area = PMP::area(open);
-  part.volume = PMP::volume(closed);
+  // a part with holes of the input has no volume
+  part.volume = CGAL::is_closed(closed) ? PMP::volume(closed) : std::numeric_limits<double>::quiet_NaN();
   const std::size_t euler_characteristic =
       closed.number_of_vertices() + closed.number_of_faces() - closed.number_of_edges(); // modulo 2^64
   part.genus = (2 - euler_characteristic) / 2;
@@ -97,7 +101,7 @@ Part measured_part(const Mesh& open, Mesh&& closed, bool is_open)
       for(Mesh::Halfedge_index b : open.halfedges_around_face(h))
         is_seen[b] = true;
     }
-  part.mesh = is_open ? open : std::move(closed);
+  part.mesh = is_open ? open : std::move(capped);
   return part;
 }
 
@@ -130,7 +134,7 @@ Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constricti
   result.part_of_face.resize(result.mesh.num_faces());
   PMP::connected_components(result.mesh, CGAL::make_property_map(result.part_of_face),
                             CGAL::parameters::edge_is_constrained_map(marks));
-  std::vector<Mesh> open, closed;
+  std::vector<Mesh> open, capped, closed;
   SMC::extract_parts(result.mesh, marks, std::back_inserter(open), SMC::parameters::with_caps(false));
   std::vector<SMC::Part_cap<Mesh>> caps;
   SMC::extract_parts(result.mesh, marks, std::back_inserter(closed),
@@ -139,7 +143,8 @@ Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constricti
   for(std::size_t p = 0; p < open.size(); ++p)
   {
     result.parts.push_back(measured_part(open[p], std::move(closed[p]), segmentation.open));
-    volume += result.parts.back().volume;
+    if(!std::isnan(result.parts.back().volume))
+      volume += result.parts.back().volume;
   }
   for(Part& part : result.parts)
     part.is_cavity = part.volume * volume < 0;
@@ -154,8 +159,10 @@ Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constricti
   {
     std::map<std::array<std::size_t, 2>, double> lengths;
     for(Mesh::Halfedge_index h : curves.halfedges[c])
-      lengths[{{result.part_of_face[result.mesh.face(h)],
-                result.part_of_face[result.mesh.face(result.mesh.opposite(h))]}}] += PMP::edge_length(h, result.mesh);
+      if(!result.mesh.is_border(result.mesh.edge(h))) // along a hole a part ends
+        lengths[{{result.part_of_face[result.mesh.face(h)],
+                  result.part_of_face[result.mesh.face(result.mesh.opposite(h))]}}] +=
+            PMP::edge_length(h, result.mesh);
     for(const auto& [parts, length] : lengths)
       result.adjacencies.push_back({c, parts, length});
   }

@@ -20,7 +20,8 @@ auto with_selection(const Selection& selection, const NamedParameters& np)
       params::maximum_isoperimetric_ratio(
           selection.maximum_ratio.value_or(SMC::default_maximum_isoperimetric_ratio),
           params::maximum_number_of_constrictions(selection.maximum_number,
-                                                  params::all_constrictions(selection.all, np))));
+                                                  params::rim_constrictions(
+                                                      selection.rims, params::all_constrictions(selection.all, np)))));
 }
 
 } // namespace constrictions

@@ -16,6 +16,9 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -93,22 +96,40 @@ using CGAL::Surface_mesh_constrictions::Invalid_input;
 using CGAL::Surface_mesh_constrictions::internal::Corner_table;
 using CGAL::Surface_mesh_constrictions::internal::make_corner_table;
 
+// Whether an edge has more than two faces.
+bool has_crowded_edge(const Triangle_soup& soup)
+{
+  std::map<std::pair<Index, Index>, int> faces;
+  for(std::size_t i = 0; i < soup.corners.size(); ++i)
+  {
+    const Index u = soup.corners[i], v = soup.corners[i % 3 == 2 ? i - 2 : i + 1];
+    if(++faces[{(std::min)(u, v), (std::max)(u, v)}] > 2)
+      return true;
+  }
+  return false;
+}
+
 // Faces whose only fault is their orientation are turned, the numbers of those go to `turned`.
-Corner_table connect_turning_faces(Triangle_soup& soup, std::vector<Index>& turned)
+Corner_table connect_turning_faces(Triangle_soup& soup, bool with_border, std::vector<Index>& turned)
 {
   try
   {
-    return make_corner_table(soup.points.size(), soup.corners);
+    return make_corner_table(soup.points.size(), soup.corners, with_border);
   }
   catch(const Invalid_input& e)
   {
     if(e.defect() != Input_defect::INCONSISTENT_ORIENTATION)
       throw;
     turned = orient_soup(soup);
+    if(turned.empty() && !has_crowded_edge(soup))
+      throw Invalid_input(Input_defect::INCONSISTENT_ORIENTATION, e.element(),
+                          "the surface cannot be oriented, as a Moebius strip cannot: whichever faces are turned, two "
+                          "run along their common edge in the same direction; one of these is face " +
+                              std::to_string(e.element()));
     if(turned.empty())
       throw;
   }
-  return make_corner_table(soup.points.size(), soup.corners);
+  return make_corner_table(soup.points.size(), soup.corners, with_border);
 }
 
 bool has_nan(const Triangle_soup& soup)
@@ -118,32 +139,44 @@ bool has_nan(const Triangle_soup& soup)
   });
 }
 
-// As above; and if the surface is open along seams only, where vertices have been doubled, they are closed.
+// Turns some faces once more, of which some have been turned: both ascending.
+void turn(const std::vector<Index>& again, std::vector<Index>& turned)
+{
+  std::vector<Index> result;
+  std::set_symmetric_difference(turned.begin(), turned.end(), again.begin(), again.end(), std::back_inserter(result));
+  turned.swap(result);
+}
+
+// As above; and if the surface is open along seams, where vertices have been doubled, they are closed, unless what comes
+// of that is no surface. Other holes stay.
 Corner_table connect(Triangle_soup& soup, std::vector<Index>& turned)
 {
   try
   {
-    return connect_turning_faces(soup, turned);
+    return connect_turning_faces(soup, false, turned);
   }
   catch(const Invalid_input& e)
   {
-    if(e.defect() != Input_defect::NOT_CLOSED || has_nan(soup))
+    if(e.defect() != Input_defect::NOT_CLOSED)
       throw;
-    Triangle_soup closed = soup;
-    if(!close_seams(closed))
-      throw;
+  }
+  Triangle_soup closed = soup;
+  if(!has_nan(soup) && close_seams(closed))
     try
     {
-      turned.clear();
-      const Corner_table table = connect_turning_faces(closed, turned);
+      std::vector<Index> again;
+      const Corner_table table = connect_turning_faces(closed, true, again);
       soup = std::move(closed);
+      turn(again, turned);
       return table;
     }
     catch(const Invalid_input&)
     {
     }
-    throw;
-  }
+  std::vector<Index> again;
+  const Corner_table table = connect_turning_faces(soup, true, again);
+  turn(again, turned);
+  return table;
 }
 
 } // namespace

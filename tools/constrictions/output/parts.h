@@ -25,7 +25,7 @@ struct Part
 {
   Mesh mesh;              ///< closed by caps, or open
   double area;            ///< without caps
-  double volume;          ///< with caps
+  double volume;          ///< with caps; NaN if it has holes of the input
   std::size_t genus;      ///< with caps
   std::size_t boundaries; ///< closed curves along which it is cut, each counted on each side where the part lies
   std::vector<Cap> caps;

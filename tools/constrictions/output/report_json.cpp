@@ -32,6 +32,7 @@ const char* name(SMC::Seed_origin origin)
     case SMC::Seed_origin::CUT_LOCUS: return "cut_locus";
     case SMC::Seed_origin::SECTION: return "section";
     case SMC::Seed_origin::BARRIER: return "barrier";
+    case SMC::Seed_origin::BOUNDARY: return "boundary";
     default: return "user";
   }
 }
@@ -81,6 +82,7 @@ Json locations_as_json(const Constriction& c, const Mesh& mesh, const std::vecto
   return result;
 }
 
+// An infinite angle, that to a hole, is written as null.
 Json pivots_as_json(const Constriction& c)
 {
   Json result = Json::array();
@@ -121,10 +123,12 @@ Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mes
           {"separating", c.is_separating()},
           {"areas", c.areas()},
           {"genera", c.genera()},
-          {"isoperimetric_ratio", c.isoperimetric_ratio()},
+          {"isoperimetric_ratio", c.isoperimetric_ratio()}, // null if it is infinite
           {"prominence", c.prominence()}, // null if it is not a number
           {"dominated_by", c.dominated_by() ? Json(*c.dominated_by()) : Json()},
           {"slides_off", c.slides_off() ? Json(static_cast<std::size_t>(*c.slides_off())) : Json()},
+          {"rim", c.is_rim()},
+          {"boundary_share", c.boundary_share()},
           {"seed", seed_as_json(c.seeds().front())}};
 }
 

@@ -60,7 +60,10 @@ std::string report_as_table(const Report& report)
   {
     const Constriction& c = report.constrictions[id];
     out << setw(5) << id << setw(14) << c.length() << setw(12) << prominence(c) << setw(8) << c.locations().size()
-        << setw(8) << c.pivots().size() << setw(12) << (c.is_separating() ? "yes" : "no") << setw(12) << side_name(c.side())
+        << setw(8) << c.pivots().size() << setw(12) << (c.is_rim()          ? "rim"
+                                                           : c.is_separating() ? "yes"
+                                                                               : "no")
+        << setw(12) << side_name(c.side())
         << setw(12) << name(c.certificate()) << setw(12) << c.seeds().front().level << '\n';
   }
   out << open_certificates(report);

@@ -51,7 +51,7 @@ public:
       for(int i = 0; i < 3; ++i)
         of_mesh = (std::max)(of_mesh, std::abs(mesh.point(v)[i]));
     for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
-      for(int i = 0; i < 3; ++i)
+      for(int i = 0; i < 3 && !pm.is_ghost_vertex(v); ++i)
         of_pm = (std::max)(of_pm, std::abs(pm.point(v)[i]));
     m_unit = of_mesh / of_pm;
   }
@@ -102,16 +102,16 @@ Shown_levels shown_levels(const Mesh& mesh, Progressive_mesh& pm, const Unit& un
     number[pm.collapse().removed] = static_cast<std::uint32_t>(n - 1 - i);
   std::uint32_t next = 0;
   for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
-    if(pm.is_vertex(v))
+    if(pm.is_vertex(v) && !pm.is_ghost_vertex(v))
       number[v] = next++;
   pm.go_to_level(result.finest_level);
 
   result.points.resize(n);
   for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
-    if(pm.is_vertex(v))
+    if(pm.is_vertex(v) && !pm.is_ghost_vertex(v))
       result.points[number[v]] = unit(pm.point(v));
   for(Index f = 0; f < pm.number_of_face_ids(); ++f)
-    if(pm.is_face(f))
+    if(pm.is_face(f) && !pm.is_ghost_face(f))
     {
       result.faces.push_back({{number[pm.source(3 * f)], number[pm.source(3 * f + 1)], number[pm.source(3 * f + 2)]}});
       result.input_faces.push_back(place[f]);

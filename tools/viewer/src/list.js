@@ -89,7 +89,7 @@ export class List {
     document.getElementById('file').textContent = mesh.file;
     document.getElementById('numbers').textContent = [counted(mesh.vertices, 'vertex', 'vertices'),
       counted(mesh.faces, 'face'), ...(mesh.components === 1 ? [] : [counted(mesh.components, 'component')]),
-      `genus ${mesh.genus}`].join(' · ');
+      `genus ${mesh.genus}`, ...(mesh.holes ? [counted(mesh.holes, 'hole')] : [])].join(' · ');
     const finite = curves.map(c => c.prominence).filter(p => p < Infinity);
     const greatest = Math.max(...finite, 0.1);
     this.list = document.getElementById('list');

@@ -27,7 +27,7 @@ const theme = new Theme(refresh);
 const threshold = new Threshold(curves, data.prominence, choose);
 const filter = new SideFilter(curves, choose);
 const playback = new Playback(data, isShown, showFrame);
-const surface = new Surface();
+const surface = new Surface(data.mesh.holes > 0);
 const drawn = new Curves(data, data.is_simplified ? 0.003 : 0.0015);
 let stage = null;
 try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The surface that is drawn: triangles with colours, and the edges of the mesh.
-import {BufferAttribute, BufferGeometry, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshPhongMaterial,
-  VertexColors} from 'three';
+import {BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh,
+  MeshPhongMaterial, VertexColors} from 'three';
 import {light} from './colours.js';
 
 const cosineOfCrease = Math.cos(40 * Math.PI / 180);
@@ -54,22 +54,27 @@ function cornerNormals(points, faces, isFlat) {
   return normals;
 }
 
-// Each edge once; in a closed mesh its halfedges run in opposite directions.
+// Each edge once: its halfedges run in opposite directions, and on the boundary there is only one.
 function edgesOf(points, faces) {
-  const ends = [];
+  const ends = [], n = points.length / 3, ascending = new Set();
+  for (let f = 0; f < faces.length; f += 3)
+    for (let i = 0; i < 3; ++i)
+      if (faces[f + i] < faces[f + (i + 1) % 3])
+        ascending.add(faces[f + i] * n + faces[f + (i + 1) % 3]);
   for (let f = 0; f < faces.length; f += 3)
     for (let i = 0; i < 3; ++i) {
       const a = faces[f + i], b = faces[f + (i + 1) % 3];
-      if (a < b)
+      if (a < b || !ascending.has(b * n + a))
         ends.push(points[3 * a], points[3 * a + 1], points[3 * a + 2], points[3 * b], points[3 * b + 1], points[3 * b + 2]);
     }
   return new Float32Array(ends);
 }
 
 export class Surface {
-  constructor() {
+  // Through holes the inside is seen.
+  constructor(hasHoles) {
     // Dull, but shaded at each pixel; pushed back a little, so that lines on it are in front of it.
-    const material = new MeshPhongMaterial({vertexColors: VertexColors, specular: 0, side: FrontSide,
+    const material = new MeshPhongMaterial({vertexColors: VertexColors, specular: 0, side: hasHoles ? DoubleSide : FrontSide,
       polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4});
     this.mesh = new Mesh(new BufferGeometry(), material);
     this.edges = new LineSegments(new BufferGeometry(), new LineBasicMaterial({transparent: true, opacity: 0.35}));

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/other_side.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/String_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
 
@@ -167,7 +168,8 @@ private:
       strip.insert(strip.end(), arc.crossings.begin(), arc.crossings.end());
       if(id == job.last)
         return strip;
-      append_fan(m_pm, arc, m_network.arc(m_network.next(id)), side, strip);
+      const Arc& following = m_network.arc(m_network.next(id));
+      append_fan(m_pm, arc, following, is_hole_on_side(m_pm, arc, following, side) ? other_side(side) : side, strip);
     }
   }
 

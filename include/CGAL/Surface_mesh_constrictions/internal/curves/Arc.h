@@ -9,8 +9,10 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -88,7 +90,7 @@ struct Side_angles
 };
 
 // Side angles between the arc that arrives at a pivot and the one that leaves it. corner(h) is the angle at source(h)
-// in the face of h. O(degree).
+// in the face of h. On the boundary the side that the hole is on has an infinite angle. O(degree).
 template <class Corner>
 Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing, const Corner& corner)
 {
@@ -101,6 +103,19 @@ Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const A
     total += corner(h);
     h = pm.ccw(h);
   } while(h != out);
+  if(total == (std::numeric_limits<double>::infinity)())
+  {
+    if(in == out)
+      return incoming.end_angle >= outgoing.start_angle
+                 ? Side_angles{incoming.end_angle - outgoing.start_angle, total}
+                 : Side_angles{total, outgoing.start_angle - incoming.end_angle};
+    if(left < total)
+      return {(std::max)(left, 0.), total};
+    double right = outgoing.start_angle - incoming.end_angle;
+    for(h = in; h != out; h = pm.ccw(h))
+      right += corner(h);
+    return {total, (std::max)(right, 0.)};
+  }
   if(left < 0) // by rounding, unless the arc that arrives lies clockwise of the one that leaves in the same face
     left = in == out ? left + total : 0;
   return {left, total - left};
@@ -109,6 +124,16 @@ Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const A
 inline Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing)
 {
   return side_angles(pm, incoming, outgoing, [&pm](Index h) { return corner_angle(pm, h); });
+}
+
+// Whether the hole at a pivot on the boundary is on the given side of a curve, so that the curve cannot pass the pivot
+// there. O(degree) on surfaces with boundary.
+inline bool is_hole_on_side(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing, Curve_side side)
+{
+  if(!pm.has_boundary())
+    return false;
+  const Side_angles angles = side_angles(pm, incoming, outgoing);
+  return (side == Curve_side::LEFT ? angles.left : angles.right) == (std::numeric_limits<double>::infinity)();
 }
 
 // Appends to `strip` the halfedges that a curve crosses when it passes the pivot between two arcs on the given side

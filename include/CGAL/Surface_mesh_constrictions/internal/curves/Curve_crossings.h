@@ -71,7 +71,8 @@ public:
     {
       m_edges.toggle(m_pm.edge(h), c);
       for(Index v : {m_pm.source(h), m_pm.target(h)})
-        m_curves[c].number_of_vertices += m_vertices.insert(v, c);
+        if(!m_pm.is_ghost_vertex(v))
+          m_curves[c].number_of_vertices += m_vertices.insert(v, c);
     }
   }
 
@@ -80,7 +81,7 @@ public:
   // the halfedges that a curve crosses, in order
   const std::vector<Index>& crossings(Index curve) const { return m_curves[curve].crossings; }
 
-  // the number of different vertices of the edges that a curve crosses
+  // the number of different vertices, without ghosts, of the edges that a curve crosses
   std::size_t number_of_vertices(Index curve) const { return m_curves[curve].number_of_vertices; }
 
   // the curves on different sides of which the ends of a halfedge lie, as far as the edge tells; ascending

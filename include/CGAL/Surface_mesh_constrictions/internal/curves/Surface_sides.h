@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// How a simple closed curve parts its connected component.
+// How a simple closed curve parts its connected component, the holes of which are filled.
 struct Parting
 {
   std::vector<Index> homology_class; // modulo 2, see `Surface_cycles`; the curve separates if it is empty
@@ -40,6 +40,9 @@ inline bool is_too_long(double length, const Parting& parting, double maximum_is
 {
   return parting.is_separating() && isoperimetric_ratio(length, parting.areas) > maximum_isoperimetric_ratio;
 }
+
+// A curve along the boundary can leave nothing on one side, and sums of areas have an error of less than this share.
+constexpr double empty_side_tolerance = 1e-9;
 
 // Answers what lies on the sides of simple closed curves of a surface.
 class Surface_sides
@@ -89,6 +92,8 @@ public:
       left += whole;
     while(left > whole)
       left -= whole;
+    if(m_pm.has_boundary() && (std::min)(left, whole - left) < empty_side_tolerance * whole)
+      left = m_cycles.has_only_ghosts_on_left(path) ? 0 : whole;
     result.areas = {{left, whole - left}};
     return result;
   }
@@ -137,6 +142,8 @@ private:
   {
     Vector3 sum = {0, 0, 0};
     const auto add = [&](Index f) {
+      if(m_pm.is_ghost_face(f))
+        return;
       const Vector3 n = normal(f);
       const double l = norm(n);
       if(l > 0)

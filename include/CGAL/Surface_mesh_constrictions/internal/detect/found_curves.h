@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/boundary_share.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/coincidence.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Group.h>
@@ -119,19 +120,27 @@ std::vector<Found_curve> tighten_refined(Curve_network& network, const std::vect
 }
 
 // Drops the curves that separate and have a greater isoperimetric ratio, so that they need not be certified. Those that
-// are not simple stay: they may be corrected. Returns how many were dropped. Cost: for each curve that of
-// `Surface_sides::part()`.
+// are not simple stay: they may be corrected; and rims if they are asked for. Returns how many were dropped. Cost: for
+// each curve that of `Surface_sides::part()`.
 template <class ConcurrencyTag>
 std::size_t drop_too_long(const Curve_network& network, const Surface_sides& sides, double maximum_isoperimetric_ratio,
-                          std::vector<Found_curve>& found)
+                          bool with_rims, std::vector<Found_curve>& found)
 {
   const Progressive_mesh& pm = network.surface();
   auto kept = make_groups<std::vector<Found_curve> >(found.size(), 32);
   CGAL::for_each<ConcurrencyTag>(kept, [&](Group<std::vector<Found_curve> >& group) {
     for(std::size_t i = group.begin; i < group.end; ++i)
     {
-      const std::vector<Trace_point> points = trace(pm, arcs_of_curve(network, found[i].curve));
-      if(!is_simple(pm, points) || !is_too_long(found[i].length, sides.part(points), maximum_isoperimetric_ratio))
+      const std::vector<Arc> arcs = arcs_of_curve(network, found[i].curve);
+      const std::vector<Trace_point> points = trace(pm, arcs);
+      if(!is_simple(pm, points))
+      {
+        group.result.push_back(found[i]);
+        continue;
+      }
+      const Parting parting = sides.part(points);
+      if(!is_too_long(found[i].length, parting, maximum_isoperimetric_ratio) ||
+         (with_rims && boundary_share(pm, arcs, parting) > rim_share))
         group.result.push_back(found[i]);
     }
     return true;

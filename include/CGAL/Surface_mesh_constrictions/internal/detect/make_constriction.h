@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/boundary_share.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 
@@ -75,6 +76,8 @@ public:
     data.genera = m_sides.genera(points, parting.is_separating());
     data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting.areas);
     data.side = m_sides.choked_side(points);
+    data.boundary_share = boundary_share(m_pm, arcs, parting);
+    data.rim = data.boundary_share > rim_share;
     data.flat_band_width = band_width * unit;
     data.certificate = certificate;
     return Result(std::move(data));

@@ -73,12 +73,16 @@ auto source_vertex(Halfedge h, const Graph& g) { return source(h, g); }
 template <class Halfedge, class Graph>
 auto target_vertex(Halfedge h, const Graph& g) { return target(h, g); }
 
+template <class Halfedge, class Graph>
+Halfedge prev_halfedge(Halfedge h, const Graph& g) { return prev(h, g); }
+
 template <class Vertex, class Graph>
 auto incoming_halfedge(Vertex v, const Graph& g) { return halfedge(v, g); }
 
 } // namespace graph
 
-// A triangle mesh as it is.
+// A triangle mesh as it is. The ghost of a hole is its border: one face with many edges, which is gone around vertices
+// through, but never computed with.
 template <class TriangleMesh, class VertexPointMap>
 class Graph_surface
 {
@@ -94,12 +98,14 @@ public:
   Vertex target(Halfedge h) const { return graph::target_vertex(h, m_tm); }
   Halfedge outgoing(Vertex v) const { return opposite(graph::incoming_halfedge(v, m_tm)); }
 
-  // Throws Invalid_input if h is not in a triangle. Whoever computes with a face asks for this.
+  // whether a halfedge lies in a hole
+  bool is_ghost(Halfedge h) const { return CGAL::is_border(h, m_tm); }
+
+  // Throws Invalid_input if h is neither in a triangle nor in a hole. Whoever computes with a face asks for this.
   Halfedge prev(Halfedge h) const
   {
-    if(CGAL::is_border(h, m_tm))
-      throw Invalid_input(Input_defect::NOT_CLOSED, 0,
-                          "not closed: the edge " + place(h) + " has no face on its other side");
+    if(is_ghost(h))
+      return graph::prev_halfedge(h, m_tm);
     const Halfedge result = next(next(h));
     if(next(result) != h)
       throw Invalid_input(Input_defect::NOT_TRIANGULAR, 0,
@@ -140,6 +146,7 @@ public:
   Index source(Index h) const { return m_pm.source(h); }
   Index target(Index h) const { return m_pm.target(h); }
   Index outgoing(Index v) const { return m_pm.outgoing(v); }
+  bool is_ghost(Index h) const { return m_pm.is_ghost_face(m_pm.face(h)); }
 
   Interval_point interval_point(Index v) const { return internal::interval_point(get(m_vpm, m_imported.vertex(v))); }
   Rational_point rational_point(Index v) const { return internal::rational_point(get(m_vpm, m_imported.vertex(v))); }

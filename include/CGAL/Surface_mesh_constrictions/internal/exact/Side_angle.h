@@ -98,7 +98,8 @@ public:
                                       : start_halfedge(prover.surface(), outgoing))
   {}
 
-  // The sign of angle - pi. O(degree + crossings of both arcs) operations at each stage of the arithmetic.
+  // The sign of angle - pi; positive where the side contains a hole, whose angle is infinite. O(degree + crossings of
+  // both arcs) operations at each stage of the arithmetic.
   Proved_sign sign_beyond_pi()
   {
     if(m_first == m_last)
@@ -113,6 +114,8 @@ public:
       if(!m_is_whole_turn)
         return Proved_sign::NEGATIVE; // no more than a corner of a face
     }
+    if(has_ghost())
+      return Proved_sign::POSITIVE;
     Angle_sum sum = Angle_sum::UNKNOWN;
     int sine = 0;
     m_prover.decide_by_intervals([&](const auto& arithmetic) {
@@ -139,6 +142,19 @@ public:
   bool is_whole_turn() const { return m_is_whole_turn; }
 
 private:
+  // Whether the side goes around a corner of a ghost.
+  bool has_ghost() const
+  {
+    const Surface& s = m_prover.surface();
+    Halfedge h = m_first;
+    do {
+      if(s.is_ghost(h))
+        return true;
+      h = ccw(s, h);
+    } while(h != m_last);
+    return false;
+  }
+
   template <class Arithmetic>
   Planar<typename Arithmetic::NT> first_direction(const Arithmetic& arithmetic) const
   {

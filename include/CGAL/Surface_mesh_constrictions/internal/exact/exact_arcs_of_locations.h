@@ -93,6 +93,10 @@ Located_arcs<Surface> arcs_of_locations(Sign_prover<Surface>& prover, const Loca
   Located_arcs<Surface> result = {Certificate_verdict::NOT_A_CLOSED_CURVE, 0, {}};
   const std::size_t n = locations.size();
   const auto joins = [&](const auto& p, const auto& q) {
+    // no curve leaves the surface
+    for(const auto* l : {&p, &q})
+      if(!l->is_pivot && (s.is_ghost(l->halfedge) || s.is_ghost(s.opposite(l->halfedge))))
+        return false;
     if(p.is_pivot && q.is_pivot)
     {
       Halfedge h = s.outgoing(p.vertex);

@@ -24,18 +24,20 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // A surface subdivided by curves: its cells are the faces that no curve crosses and the pieces of the others. Sides of
-// cells are like halfedges; side h of an uncrossed halfedge h of the corner table has the same number.
+// cells are like halfedges; side h of an uncrossed halfedge h of the corner table has the same number. The ghosts of
+// holes are cells, too, which are no part of the surface; the boundary of the mesh parts them from it.
 class Cut_surface
 {
 public:
   typedef Exact_predicates_inexact_constructions_kernel::Vector_3 Vector;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr std::size_t border = none - 1; // instead of an arc, of a side on the boundary of the mesh
 
   struct Side
   {
     std::size_t next, opposite, cell;
     std::size_t vertex; // that it begins at
-    std::size_t arc;    // that it runs along, or none
+    std::size_t arc;    // that it runs along, or none, or border
     bool is_forward;    // whether it runs in the direction of the arc
   };
 
@@ -48,10 +50,13 @@ public:
       points.push_back(p - imported.points[table.halfedges[0].source]);
     m_number_of_vertices = points.size();
     const std::size_t faces = table.halfedges.size() / 3;
+    m_number_of_faces = imported.number_of_faces();
     for(Index h = 0; h < table.halfedges.size(); ++h)
     {
       const Corner_table::Halfedge& halfedge = table.halfedges[h];
-      sides.push_back({Corner_table::next(h), halfedge.opposite, h / 3, halfedge.source, none, false});
+      const bool is_on_border = (h / 3 < m_number_of_faces) != (halfedge.opposite / 3 < m_number_of_faces);
+      sides.push_back({Corner_table::next(h), halfedge.opposite, h / 3, halfedge.source, is_on_border ? border : none,
+                       false});
     }
     for(std::size_t f = 0; f < faces; ++f)
     {
@@ -63,7 +68,7 @@ public:
 
     typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
     std::unordered_map<typename boost::graph_traits<TriangleMesh>::face_descriptor, std::size_t> face_number;
-    for(std::size_t f = 0; f < faces; ++f)
+    for(std::size_t f = 0; f < m_number_of_faces; ++f)
       face_number.emplace(face(imported.halfedge_of(static_cast<Index>(3 * f)), imported.mesh()), f);
     const auto number_of = [&](halfedge_descriptor h) {
       Index i = static_cast<Index>(3 * face_number.at(face(h, imported.mesh())));
@@ -75,7 +80,10 @@ public:
     for(std::size_t a = 0; a < arrangement.arcs().size(); ++a)
       if(arrangement.arcs()[a].is_edge())
       {
-        const std::size_t h = number_of(arrangement.arcs()[a].edge);
+        const halfedge_descriptor along = arrangement.arcs()[a].edge;
+        const std::size_t h = is_border(along, imported.mesh())
+                                  ? sides[number_of(opposite(along, imported.mesh()))].opposite
+                                  : number_of(along);
         sides[h].arc = sides[sides[h].opposite].arc = a;
         sides[h].is_forward = true;
       }
@@ -96,6 +104,12 @@ public:
         split_face(f, face_ring(arrangement, i, base), arrangement.faces()[i].strands);
       }
   }
+
+  // whether a cell is a ghost
+  bool is_ghost(std::size_t cell) const { return face_of_cell[cell] >= m_number_of_faces; }
+
+  // whether a curve runs along a side
+  bool is_on_curve(std::size_t s) const { return sides[s].arc != none && sides[s].arc != border; }
 
   std::vector<Side> sides;
   std::vector<std::size_t> face_of_cell;
@@ -202,6 +216,7 @@ private:
   }
 
   std::size_t m_number_of_vertices = 0;                      // of the mesh
+  std::size_t m_number_of_faces = 0;                         // of the mesh, without ghosts
   std::vector<double> m_parameters;                          // of crossings
   std::unordered_set<std::size_t> m_along;                   // the halfedges along which the parameters are counted
   std::unordered_map<std::size_t, std::size_t> m_first_side; // of a crossed halfedge, after the one at its source

@@ -2,6 +2,8 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PARTS_OPENED_MESH_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PARTS_OPENED_MESH_H
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -58,7 +60,7 @@ public:
     if(known != m_vertex.end())
       return known->second;
     halfedge_descriptor first = h;
-    while(!is_marked(first))
+    while(!is_end(first))
     {
       first = prev(opposite(first, m_tm), m_tm);
       if(first == h)
@@ -70,7 +72,7 @@ public:
     {
       m_vertex[h] = v;
       const halfedge_descriptor n = next(h, m_tm);
-      if(is_marked(n))
+      if(is_end(n))
         break;
       h = opposite(n, m_tm);
     } while(h != first);
@@ -100,7 +102,8 @@ public:
   }
 
 private:
-  bool is_marked(halfedge_descriptor h) const { return get(m_marks, edge(h, m_tm)); }
+  // where a fan of faces ends
+  bool is_end(halfedge_descriptor h) const { return get(m_marks, edge(h, m_tm)) || CGAL::is_border_edge(h, m_tm); }
 
   std::size_t representative(std::size_t v)
   {

@@ -9,6 +9,8 @@
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
@@ -73,13 +75,13 @@ public:
 private:
   bool is_marked(halfedge_descriptor h) const { return get(m_marks, edge(h, m_tm)); }
 
-  // The halfedge after h along the border of its part.
+  // The halfedge after h along the border of its part; null if that goes on along a hole of the mesh.
   halfedge_descriptor next_on_border(halfedge_descriptor h) const
   {
     h = next(h, m_tm);
-    while(!is_marked(h))
+    while(!CGAL::is_border_edge(h, m_tm) && !is_marked(h))
       h = next(opposite(h, m_tm), m_tm);
-    return h;
+    return CGAL::is_border_edge(h, m_tm) ? Graph_traits::null_halfedge() : h;
   }
 
   void find_loops(const std::vector<std::vector<typename Graph_traits::face_descriptor>>& faces_of_part)
@@ -91,12 +93,14 @@ private:
         halfedge_descriptor h = halfedge(f, m_tm);
         for(int i = 0; i < 3; ++i, h = next(h, m_tm))
         {
-          if(!is_marked(h) || is_seen.count(h) > 0)
+          if(!is_marked(h) || CGAL::is_border_edge(h, m_tm) || is_seen.count(h) > 0)
             continue;
           std::vector<halfedge_descriptor> border;
-          for(halfedge_descriptor b = h; is_seen.insert(b).second; b = next_on_border(b))
+          halfedge_descriptor b = h;
+          for(; b != Graph_traits::null_halfedge() && is_seen.insert(b).second; b = next_on_border(b))
             border.push_back(b);
-          add_loops(part, border);
+          if(b == h) // what lies partly along a hole of the mesh stays open
+            add_loops(part, border);
         }
       }
   }
@@ -140,15 +144,22 @@ private:
     return m_parts[part].vertex(prev(h, m_tm));
   }
 
+  // The loop on the other side of a halfedge of loop i; i if that side stays open.
+  std::size_t loop_across(halfedge_descriptor h, std::size_t i) const
+  {
+    const auto found = m_loop.find(opposite(h, m_tm));
+    return found == m_loop.end() ? i : found->second;
+  }
+
   // The loop that runs along the same edges on their other side, the number itself if there is none. Loops that pass a
   // vertex twice have none.
   std::size_t twin_of(std::size_t i) const
   {
     const std::vector<halfedge_descriptor>& border = m_caps[i].border;
-    const std::size_t twin = m_loop.at(opposite(border.front(), m_tm));
+    const std::size_t twin = loop_across(border.front(), i);
     std::unordered_set<vertex_descriptor> passed;
     for(halfedge_descriptor h : border)
-      if(m_loop.at(opposite(h, m_tm)) != twin || !passed.insert(target(h, m_tm)).second)
+      if(loop_across(h, i) != twin || !passed.insert(target(h, m_tm)).second)
         return i;
     return m_caps[twin].border.size() == border.size() ? twin : i;
   }
@@ -207,7 +218,7 @@ private:
       for(std::size_t k = 0; k < group.size(); ++k)
         for(std::size_t e = 0; e < m_caps[group[k]].border.size(); ++e)
         {
-          const std::size_t neighbour = m_loop.at(opposite(m_caps[group[k]].border[e], m_tm));
+          const std::size_t neighbour = loop_across(m_caps[group[k]].border[e], group[k]);
           if(is_seen.insert(neighbour).second)
             group.push_back(neighbour);
         }

@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The connected parts of a surface that is cut along curves. They are numbered by their first cells.
+// The connected parts of a surface that is cut along curves. They are numbered by their first cells. Ghosts belong to
+// none.
 class Part_finder
 {
   typedef Cut_surface::Vector Vector;
@@ -35,7 +36,7 @@ public:
     std::vector<std::size_t> stack;
     for(std::size_t cell = 0; cell < m_part.size(); ++cell)
     {
-      if(m_part[cell] != none)
+      if(m_part[cell] != none || surface.is_ghost(cell))
         continue;
       m_part[cell] = m_size++;
       stack.push_back(cell);
@@ -68,6 +69,8 @@ public:
     for(std::size_t cell = 0; cell < m_part.size(); ++cell)
     {
       const std::size_t f = m_surface.face_of_cell[cell];
+      if(m_surface.is_ghost(cell))
+        continue;
       if(f == part_of_face.size())
       {
         part_of_face.push_back(m_part[cell]);
@@ -97,7 +100,8 @@ public:
     std::vector<Surface_part> result(m_size, Surface_part{0, 0, 0, 0, 0});
     const std::vector<long> euler_characteristic = euler_characteristics();
     for(std::size_t cell = 0; cell < m_part.size(); ++cell)
-      result[m_part[cell]].area += m_surface.area_of_cell[cell];
+      if(!m_surface.is_ghost(cell))
+        result[m_part[cell]].area += m_surface.area_of_cell[cell];
     add_volumes(result);
     close_boundaries(result);
     for(std::size_t p = 0; p < m_size; ++p)
@@ -120,7 +124,8 @@ public:
     for(std::size_t s = 0; s < m_surface.sides.size(); ++s)
     {
       const Cut_surface::Side& side = m_surface.sides[s];
-      if(side.arc != none && side.is_forward)
+      if(m_surface.is_on_curve(s) && side.is_forward && part_of_side(s) != none &&
+         part_of_side(side.opposite) != none)
         result.push_back({side.arc, {{part_of_side(s), part_of_side(side.opposite)}}, length(s)});
     }
     return result;
@@ -145,6 +150,8 @@ private:
     for(std::size_t s = 0; s < m_surface.sides.size(); ++s)
     {
       const Cut_surface::Side& side = m_surface.sides[s];
+      if(part_of_side(s) == none)
+        continue;
       if(side.arc == none)
         --twice[part_of_side(s)];
       if(!is_counted[side.vertex])
@@ -152,7 +159,8 @@ private:
       is_counted[side.vertex] = true;
     }
     for(std::size_t p : m_part)
-      twice[p] += 2;
+      if(p != none)
+        twice[p] += 2;
     for(long& x : twice)
       x /= 2;
     return twice;
@@ -167,6 +175,8 @@ private:
     for(std::size_t s = 0; s < m_surface.sides.size(); ++s)
     {
       const Cut_surface::Side& side = m_surface.sides[s];
+      if(part_of_side(s) == none)
+        continue;
       if(apex[side.cell] == none)
         apex[side.cell] = side.vertex;
       if(side.vertex != apex[side.cell] && end(s) != apex[side.cell])
@@ -216,7 +226,7 @@ private:
     std::vector<bool> is_seen(m_surface.sides.size(), false);
     for(std::size_t first = 0; first < m_surface.sides.size(); ++first)
     {
-      if(m_surface.sides[first].arc == none || is_seen[first])
+      if(m_surface.sides[first].arc == none || is_seen[first] || part_of_side(first) == none)
         continue;
       const Weighted& c = centres.at(cluster[end(first)]);
       const Vector centre = c.length > 0 ? c.moment / c.length : m_surface.points[m_surface.sides[first].vertex];

@@ -129,8 +129,8 @@ private:
       if(p.vertex == q.vertex)
         return false;
       const auto edge = halfedge(p.vertex, q.vertex, m_tm);
-      return edge.second && face(edge.first, m_tm) != Graph_traits::null_face() &&
-             face(opposite(edge.first, m_tm), m_tm) != Graph_traits::null_face();
+      return edge.second && (face(edge.first, m_tm) != Graph_traits::null_face() ||
+                             face(opposite(edge.first, m_tm), m_tm) != Graph_traits::null_face());
     }
     if(p.is_pivot)
       return target(next(q.halfedge, m_tm), m_tm) == p.vertex;

@@ -78,10 +78,7 @@ public:
     Tightened_boundary result;
     for(const Strip& given : strips)
     {
-      std::vector<Arc> arcs;
-      const Closed_strip strip(m_network.surface(), given);
-      if(!strip.is_degenerate())
-        arcs = shortest_loop(strip, length);
+      std::vector<Arc> arcs = pulled_tight(given, length);
       if(arcs.empty())
       {
         result.vertex = m_network.surface().target(given.front());
@@ -109,6 +106,52 @@ public:
   }
 
 private:
+  // A closed curve of no more than this length, given by what it crosses, pulled tight between the rims of holes that it
+  // runs along; no arcs if it is a point.
+  std::vector<Arc> pulled_tight(const Strip& given, double length)
+  {
+    const Progressive_mesh& pm = m_network.surface();
+    const auto on_rim = [&pm](Index h) { // the vertex on a rim that a halfedge stands for, or null_index
+      return pm.is_ghost_vertex(pm.source(h))   ? pm.target(h)
+             : pm.is_ghost_vertex(pm.target(h)) ? pm.source(h)
+                                                : null_index;
+    };
+    const auto first = pm.has_boundary() ? std::find_if(given.begin(), given.end(),
+                                                        [&](Index h) { return on_rim(h) != null_index; })
+                                         : given.end();
+    if(first == given.end())
+    {
+      const Closed_strip strip(pm, given);
+      return strip.is_degenerate() ? std::vector<Arc>() : shortest_loop(strip, length);
+    }
+    std::vector<Arc> arcs;
+    Strip between;
+    Index last = on_rim(*first);
+    for(std::size_t i = 1; i <= given.size(); ++i)
+    {
+      const Index h = given[(static_cast<std::size_t>(first - given.begin()) + i) % given.size()], v = on_rim(h);
+      if(v == null_index)
+      {
+        between.push_back(h);
+        continue;
+      }
+      const Index along = between.empty() && v != last ? pm.halfedge(last, v) : null_index;
+      if(along != null_index)
+      {
+        arcs.emplace_back();
+        arcs.back().from = last;
+        arcs.back().to = v;
+        arcs.back().along = along;
+        measure(pm, arcs.back());
+      }
+      else
+        m_tightener.puller().pull(last, between, v, arcs);
+      between.clear();
+      last = v;
+    }
+    return arcs;
+  }
+
   // The shortest curve of a closed strip that holds one of no more than this length; no arcs if it is a point.
   std::vector<Arc> shortest_loop(const Closed_strip& strip, double length)
   {

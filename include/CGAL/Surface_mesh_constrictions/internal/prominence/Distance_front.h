@@ -50,9 +50,9 @@ public:
     }
   }
 
-  // Keeps the fronts from crossing a face.
+  // Keeps the fronts from crossing a face. They never cross a ghost.
   void bar(Index f) { m_barred[f] = m_sweep; }
-  bool is_barred(Index f) const { return m_barred[f] == m_sweep; }
+  bool is_barred(Index f) const { return m_barred[f] == m_sweep || m_pm.is_ghost_face(f); }
 
   bool is_settled(Index v, std::size_t side) const
   {

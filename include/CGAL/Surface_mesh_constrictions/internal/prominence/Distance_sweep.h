@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Distance_front.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Front_start.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Level_lengths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Rim_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
@@ -34,7 +35,7 @@ class Distance_sweep
 public:
   // Linear in the size of the mesh.
   Distance_sweep(const Progressive_mesh& pm, const Edge_lengths& lengths)
-    : m_pm(pm), m_front(pm, lengths), m_is_crossed(pm.number_of_halfedge_ids(), 0),
+    : m_pm(pm), m_front(pm, lengths), m_sides{{Side(pm, lengths), Side(pm, lengths)}}, m_is_crossed(pm.number_of_halfedge_ids(), 0),
       m_is_passed(pm.number_of_halfedge_ids(), 0)
   {}
 
@@ -60,6 +61,13 @@ public:
     for(const Trace_point& p : trace)
       if(p.is_pivot())
         m_sides[1].vertices.push_back(p.pivot); // it lies on the right of the crossings
+    for(std::size_t i = 0; m_pm.has_boundary() && i < trace.size(); ++i)
+    {
+      const Trace_point &p = trace[i], &q = trace[(i + 1) % trace.size()];
+      const Index h = p.is_pivot() && q.is_pivot() ? m_pm.halfedge(p.pivot, q.pivot) : null_index;
+      if(h != null_index && m_pm.is_on_boundary(h))
+        m_sides[m_pm.is_ghost_face(m_pm.face(h)) ? 0 : 1].rims.add(h, 0, 0);
+    }
   }
 
   // Goes on until the next boundary on a side is complete, and returns its length. Both sides go on if they meet.
@@ -77,7 +85,10 @@ public:
         note_settled(v, next);
     }
     ++side.level;
-    return side.length = side.lengths.length(side.level);
+    side.length = side.lengths.length(side.level);
+    if(m_pm.has_boundary())
+      side.length += side.rims.length(m_scale.level(side.level));
+    return side.length;
   }
 
   // whether the last boundary of a side was behind the furthest point
@@ -94,7 +105,8 @@ public:
 
   // The boundary of what has been swept on a side up to a level that is complete, but for the start: the halfedges that
   // each of its closed curves crosses, in order, from their face to the opposite one. The target of each is swept, or
-  // lies across the start. Linear in what has been swept.
+  // lies across the start. A halfedge from or to a ghost stands for its other end, on the rim of a hole that the curve
+  // runs along. Linear in what has been swept.
   std::vector<Strip> boundary(std::size_t s, std::size_t level)
   {
     ++m_boundary;
@@ -124,7 +136,10 @@ public:
 private:
   struct Side
   {
+    Side(const Progressive_mesh& pm, const Edge_lengths& edge_lengths) : rims(pm, edge_lengths) {}
+
     Level_lengths lengths;
+    Rim_lengths rims;               // if the surface has holes
     std::size_t level = 0;          // the last that is complete
     double length = 0;              // of its boundary
     bool used_up = false;           // every vertex that can be reached is settled
@@ -136,6 +151,7 @@ private:
     void restart(double length_of_start)
     {
       lengths.clear();
+      rims.restart();
       level = 0;
       length = length_of_start;
       used_up = false;
@@ -151,6 +167,8 @@ private:
   // Whether a vertex on this side has been swept up to m_distance. A pivot lies on the right side.
   bool is_swept(Index v, std::size_t s) const
   {
+    if(m_pm.is_ghost_vertex(v))
+      return m_sides[s].rims.is_passed(v, m_distance);
     return m_front.belongs_to(v, s) && m_front.distance(v, s) <= m_distance &&
            (s == 1 || !m_front.belongs_to(v, 1) || m_front.distance(v, 1) > 0);
   }
@@ -229,6 +247,8 @@ private:
     Index h = begin;
     do {
       const Index f = m_pm.face(h);
+      if(m_pm.has_boundary() && m_pm.is_on_boundary(h) && m_front.is_settled(m_pm.target(h), s))
+        m_sides[s].rims.add(h, m_front.distance(v, s), m_front.distance(m_pm.target(h), s));
       if(!m_front.is_barred(f))
       {
         const std::pair<int, int> here = corners(f, s);

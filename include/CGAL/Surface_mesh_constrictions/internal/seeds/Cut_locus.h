@@ -69,12 +69,14 @@ private:
     const std::vector<Edge_graph::Edge>& edges = m_graph.edges();
     for(Index next : edges[e].around)
     {
+      if(next == null_index)
+        continue;
       if(m_lengths[next] < m_lengths[e])
         return false;
       if(m_lengths[next] == infinity)
         continue;
       for(Index second : edges[next].around)
-        if(m_lengths[second] < m_lengths[e] && !is_face(edges[second]))
+        if(second != null_index && m_lengths[second] < m_lengths[e] && !is_face(edges[second]))
           return false;
     }
     return true;

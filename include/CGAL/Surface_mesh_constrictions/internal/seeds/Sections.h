@@ -27,6 +27,10 @@ namespace internal {
 // only that is given beside which the level set is shorter: what is given is the shortest around. Where a constriction
 // lies aslant in a tube that only gets wider, none of the sections may be the shortest: so each seventh level is given
 // as a whole.
+//
+// A level that meets a hole is an open line. It is closed along the boundary of the hole, in both ways, one after the
+// other: all of the hole is above the level until it has passed the highest vertex of the hole, or below from the
+// lowest one on.
 class Sections
 {
 public:
@@ -41,10 +45,19 @@ public:
       vertex[graph.id(v)] = v;
       m_position.push_back(position(pm, graph.id(v)));
     }
+    // ghosts come last
+    for(Index v = 0, holes = 0; holes < pm.number_of_holes(); ++v)
+      if(pm.is_ghost_vertex(v))
+      {
+        vertex[v] = static_cast<Index>(graph.number_of_vertices()) + holes;
+        ++holes;
+      }
+    m_slab_of_hole.resize(pm.number_of_holes());
     for(Index f = 0; f < pm.number_of_face_ids(); ++f)
       if(pm.is_face(f))
       {
         face[f] = static_cast<Index>(faces.size());
+        m_first_ghost_face += pm.is_ghost_face(f) ? 0 : 1;
         faces.push_back(f);
       }
     for(Index f : faces)
@@ -65,7 +78,19 @@ public:
   template <class Write>
   void cut(const std::vector<double>& values, std::size_t levels, const Write& write)
   {
-    if(!make_slabs(values, levels))
+    cut(values, levels, true, write);
+    if(!m_slab_of_hole.empty())
+      cut(values, levels, false, write);
+  }
+
+private:
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+  static constexpr Index sample_distance = 7; // in levels
+
+  template <class Write>
+  void cut(const std::vector<double>& values, std::size_t levels, bool holes_are_above, const Write& write)
+  {
+    if(!make_slabs(values, levels, holes_are_above))
       return;
     m_loops.clear();
     std::size_t below = 0; // the first loop of the level before
@@ -91,10 +116,6 @@ public:
     }
   }
 
-private:
-  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
-  static constexpr Index sample_distance = 7; // in levels
-
   struct Loop
   {
     std::vector<Index> halfedges; // with a face below the level on the left
@@ -105,7 +126,7 @@ private:
 
   // Distributes the faces to the slabs, each up to a level and not further, the last one above all levels, and the
   // halfedges between faces of different slabs to the levels. False for a function that is constant.
-  bool make_slabs(const std::vector<double>& values, std::size_t levels)
+  bool make_slabs(const std::vector<double>& values, std::size_t levels, bool holes_are_above)
   {
     double least = infinity, greatest = -infinity;
     for(double value : values)
@@ -139,9 +160,14 @@ private:
       }
       m_slab_of_vertex[v] = i;
     }
+    if(!m_slab_of_hole.empty())
+      place_holes(levels, holes_are_above);
     for(Index f = 0; f < m_slab.size(); ++f)
     {
-      m_slab[f] = (std::max)({m_slab_of_vertex[m_source[3 * f]], m_slab_of_vertex[m_source[3 * f + 1]],
+      if(is_ghost(f))
+        m_slab[f] = m_slab_of_hole[hole(f)];
+      else
+        m_slab[f] = (std::max)({m_slab_of_vertex[m_source[3 * f]], m_slab_of_vertex[m_source[3 * f + 1]],
                               m_slab_of_vertex[m_source[3 * f + 2]]});
       m_faces_of_slab[m_slab[f]].push_back(f);
     }
@@ -149,6 +175,30 @@ private:
       for(Index i = m_slab[h / 3]; i < m_slab[face_across(h)]; ++i)
         m_boundary[i].push_back(h);
     return true;
+  }
+
+  bool is_ghost(Index f) const { return f >= m_first_ghost_face; }
+
+  // the number of the hole that a ghost face belongs to
+  Index hole(Index f) const
+  {
+    const Index n = static_cast<Index>(m_graph.number_of_vertices());
+    return (std::max)({m_source[3 * f], m_source[3 * f + 1], m_source[3 * f + 2]}) - n;
+  }
+
+  // Puts each hole as a whole into the slab of its highest vertex, or of its lowest one.
+  void place_holes(std::size_t levels, bool holes_are_above)
+  {
+    const Index n = static_cast<Index>(m_graph.number_of_vertices());
+    std::fill(m_slab_of_hole.begin(), m_slab_of_hole.end(), holes_are_above ? 0 : static_cast<Index>(levels));
+    for(Index f = m_first_ghost_face; f < m_slab.size(); ++f)
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        if(m_source[h] < n)
+        {
+          Index& slab = m_slab_of_hole[hole(f)];
+          const Index at_vertex = m_slab_of_vertex[m_source[h]];
+          slab = holes_are_above ? (std::max)(slab, at_vertex) : (std::min)(slab, at_vertex);
+        }
   }
 
   Index target(Index h) const { return m_source[Corner_table::next(h)]; }
@@ -168,8 +218,10 @@ private:
       loop.halfedges.push_back(h);
       // the edges on the right at the end of h, counterclockwise; the first one leads above the level
       for(Index up = ccw(m_opposite[h]); m_slab[up / 3] > level; up = ccw(up))
-        if(m_slab_of_vertex[target(up)] > level)
-          m_level_set.push_back(point_of_level(up, m_value[level], values));
+        if(target(up) < m_slab_of_vertex.size() && m_slab_of_vertex[target(up)] > level)
+          m_level_set.push_back(point_of_level(up, level, values));
+      if(is_ghost(h / 3) || is_ghost(face_across(h))) // along the boundary of a hole
+        m_level_set.push_back(m_position[target(h)]);
       h = Corner_table::next(h);
       while(m_slab[face_across(h)] <= level)
         h = Corner_table::next(m_opposite[h]);
@@ -178,10 +230,14 @@ private:
       loop.length += norm(m_level_set[(i + 1) % m_level_set.size()] - m_level_set[i]);
   }
 
-  // Where a function has a value on an edge that leads from no more to more.
-  Vector3 point_of_level(Index h, double value, const std::vector<double>& values) const
+  // Where a function has the value of a level on an edge that leads from no more to more; at a hole the edge may be
+  // above the level as a whole.
+  Vector3 point_of_level(Index h, Index level, const std::vector<double>& values) const
   {
     const Index u = m_source[h], v = target(h);
+    const double value = m_value[level];
+    if(m_slab_of_vertex[u] > level)
+      return m_position[u];
     const double t = std::isfinite(values[v]) ? (value - values[u]) / (values[v] - values[u]) : 0;
     return m_position[u] + t * (m_position[v] - m_position[u]);
   }
@@ -239,6 +295,8 @@ private:
   std::vector<double> m_value;             // of levels
   std::vector<Index> m_slab_of_vertex;     // that in which it is or whose upper level it is on
   std::vector<Index> m_slab;               // of faces
+  std::vector<Index> m_slab_of_hole;       // of the ghosts of a hole
+  Index m_first_ghost_face = 0;            // the number of faces that are no ghosts
   std::vector<std::vector<Index> > m_faces_of_slab;
   std::vector<std::vector<Index> > m_boundary; // of a level: halfedges of faces not above it, next to faces that are
   std::vector<Loop> m_loops;             // from the lowest level to the highest

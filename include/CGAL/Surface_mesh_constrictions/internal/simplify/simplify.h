@@ -75,6 +75,9 @@ struct Block_simplification
 // and returns what was done. With blocks, a surface of many faces is first simplified in parts; its faces are then
 // numbered anew, block after block, so that what is done in one place lies together in memory from here on. O(n log n),
 // and with blocks nearly linear.
+//
+// A surface with boundary is simplified with its holes open: a collapse keeps it a surface, with three edges at each
+// hole at least, if and only if it keeps the surface a closed one whose holes are filled by ghosts.
 template <class ConcurrencyTag, class ImportedMesh, class Policies, class Visitor>
 Collapse_record simplify(ImportedMesh& imported, const Policies& make_policies, bool with_refused_seeds,
                          bool first_only, const std::optional<Block_simplification>& in_blocks, const Visitor& visitor)
@@ -82,8 +85,19 @@ Collapse_record simplify(ImportedMesh& imported, const Policies& make_policies, 
   Collapse_record record;
   record.collapses.reserve(imported.points.size());
   Partial_surface rest; // of the blocks; empty before the first round
-  const Corner_table* table = &imported.table;
-  const std::vector<Partial_surface::Point>* points = &imported.points;
+  // of the surface with its holes open
+  std::optional<Corner_table> open;
+  std::vector<Partial_surface::Point> open_points;
+  const auto open_holes = [&] {
+    if(imported.table.first_ghost_face == null_index)
+      return;
+    open = without_ghosts(imported.table);
+    open_points.assign(imported.points.begin(),
+                       imported.points.begin() + static_cast<std::ptrdiff_t>(imported.number_of_vertices()));
+  };
+  open_holes();
+  const Corner_table* table = open ? &*open : &imported.table;
+  const std::vector<Partial_surface::Point>* points = open ? &open_points : &imported.points;
   std::vector<Index> vertices(points->size());
   std::iota(vertices.begin(), vertices.end(), Index(0));
   const auto on_step = [&visitor](std::size_t done) { visitor.on_step(Detection_stage::SIMPLIFICATION, done); };
@@ -92,8 +106,11 @@ Collapse_record simplify(ImportedMesh& imported, const Policies& make_policies, 
       faces < faces_before && !has_edge_of_length_zero(*table, *points);)
   {
     const Halved_faces halved(*table, *points, in_blocks->block_faces);
-    if(table == &imported.table)
+    if(rest.points.empty())
+    {
       imported.reorder_faces(halved.order());
+      open_holes();
+    }
     else
       rest.table = with_faces_in_order(rest.table, halved.order());
     rest = simplify_blocks<ConcurrencyTag>(*table, *points, vertices, Face_blocks(*table, halved.first()),

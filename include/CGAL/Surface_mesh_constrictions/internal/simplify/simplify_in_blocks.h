@@ -214,7 +214,7 @@ Partial_surface simplify_blocks(const Corner_table& table, const std::vector<Par
     }
     v = number[v];
   }
-  rest.table = make_corner_table(rest.vertices.size(), corners);
+  rest.table = make_corner_table(rest.vertices.size(), corners, true);
   return rest;
 }
 

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -13,9 +14,13 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Connectivity of a closed, oriented triangle mesh in two arrays. Face f has the halfedges 3f, 3f+1, 3f+2, in
+// Connectivity of an oriented triangle mesh in two arrays. Face f has the halfedges 3f, 3f+1, 3f+2, in
 // counterclockwise order; halfedge 3f+i goes from corner i of the face to corner i+1. What belongs to a halfedge lies
 // side by side: on a large mesh each array that is looked up costs a cache miss.
+//
+// A surface with boundary comes in two forms. Open, its border halfedges have no opposite. Closed by ghosts, each hole
+// has one vertex more, which is joined to the edges of the hole by faces: the ghosts. They are numbered after all
+// other vertices and faces. No curve enters them.
 struct Corner_table
 {
   struct Halfedge
@@ -25,6 +30,7 @@ struct Corner_table
 
   std::vector<Halfedge> halfedges;
   std::vector<Index> outgoing; // a halfedge out of a vertex; null_index for an isolated vertex
+  Index first_ghost_vertex = null_index, first_ghost_face = null_index; // null_index if there is none
 
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index prev(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -52,10 +58,12 @@ inline void throw_defect_of_edge(Index h, Index u, Index v, std::size_t forth, s
                       std::to_string(forth + back) + " faces");
 }
 
-// Connects triangles, given by three vertex indices each. Throws Invalid_input for whatever is not a closed oriented
-// 2-manifold without two edges between the same vertices. Isolated vertices are allowed.
+// Connects triangles, given by three vertex indices each. Throws Invalid_input for whatever is not an oriented
+// 2-manifold without two edges between the same vertices, closed or, `with_border`, with border edges, of which the
+// halfedges have no opposite. Isolated vertices are allowed.
 // Linear in the sum of squared vertex degrees.
-inline Corner_table make_corner_table(std::size_t number_of_vertices, const std::vector<Index>& corners)
+inline Corner_table make_corner_table(std::size_t number_of_vertices, const std::vector<Index>& corners,
+                                      bool with_border = false)
 {
   const std::size_t n = corners.size();
   if(n == 0)
@@ -111,6 +119,8 @@ inline Corner_table make_corner_table(std::size_t number_of_vertices, const std:
         ++back;
         o = out[i].halfedge;
       }
+    if(with_border && forth == 1 && back == 0)
+      continue;
     if(forth != 1 || back != 1)
       throw_defect_of_edge(h, u, v, forth, back);
     table.halfedges[h].opposite = o;
@@ -127,7 +137,11 @@ inline Corner_table make_corner_table(std::size_t number_of_vertices, const std:
     do {
       ++fan;
       h = table.halfedges[Corner_table::prev(h)].opposite;
-    } while(h != begin);
+    } while(h != begin && h != null_index);
+    if(h == null_index) // what is clockwise of the first one
+      for(Index o = table.halfedges[begin].opposite; o != null_index;
+          o = table.halfedges[Corner_table::next(o)].opposite)
+        ++fan;
     if(fan != first[v + 1] - first[v])
       throw Invalid_input(Input_defect::NON_MANIFOLD_VERTEX, v,
                           "non-manifold vertex: the faces around vertex " + std::to_string(v) +
@@ -136,13 +150,73 @@ inline Corner_table make_corner_table(std::size_t number_of_vertices, const std:
   return table;
 }
 
+// Whether a surface is open. Linear.
+inline bool has_border(const Corner_table& table)
+{
+  return std::any_of(table.halfedges.begin(), table.halfedges.end(),
+                     [](const Corner_table::Halfedge& h) { return h.opposite == null_index; });
+}
+
+// Closes an open surface by ghosts, in the order of the smallest border halfedges of the holes, and returns for each
+// hole its vertices in cyclic order. Linear.
+inline std::vector<std::vector<Index> > close_by_ghosts(Corner_table& table)
+{
+  std::vector<std::vector<Index> > holes;
+  const Index n = static_cast<Index>(table.halfedges.size());
+  table.first_ghost_vertex = static_cast<Index>(table.outgoing.size());
+  table.first_ghost_face = n / 3;
+  for(Index first = 0; first < n; ++first)
+  {
+    if(table.halfedges[first].opposite != null_index)
+      continue;
+    const Index ghost = static_cast<Index>(table.outgoing.size());
+    const std::size_t begin = table.halfedges.size();
+    std::vector<Index> hole;
+    Index h = first; // from u to v, with the hole on its right
+    do {
+      const std::size_t g = table.halfedges.size();
+      if(g + 3 >= null_index)
+        throw Invalid_input(Input_defect::TOO_LARGE, 0, "mesh too large: 32-bit indices name at most 1431655764 faces");
+      const Index u = table.halfedges[h].source, v = table.halfedges[Corner_table::next(h)].source;
+      const Index from_v = static_cast<Index>(g);
+      hole.push_back(v);
+      table.halfedges[h].opposite = from_v;
+      table.halfedges.push_back({v, h});              // v -> u
+      table.halfedges.push_back({u, from_v + 5});     // u -> ghost, next to the edge to u of the face after this one
+      table.halfedges.push_back({ghost, from_v - 2}); // ghost -> v
+      h = Corner_table::prev(h); // the other border halfedge of u's fan
+      while(table.halfedges[h].opposite != null_index && h != first)
+        h = Corner_table::prev(table.halfedges[h].opposite);
+    } while(h != first);
+    table.halfedges[begin + 2].opposite = static_cast<Index>(table.halfedges.size() - 2);
+    table.halfedges[table.halfedges.size() - 2].opposite = static_cast<Index>(begin + 2);
+    table.outgoing.push_back(static_cast<Index>(begin + 2));
+    holes.push_back(std::move(hole));
+  }
+  return holes;
+}
+
+// A surface that is closed by ghosts, without them. Linear.
+inline Corner_table without_ghosts(const Corner_table& table)
+{
+  const std::size_t n = 3 * static_cast<std::size_t>(table.first_ghost_face);
+  Corner_table result;
+  result.halfedges.assign(table.halfedges.begin(), table.halfedges.begin() + static_cast<std::ptrdiff_t>(n));
+  for(Corner_table::Halfedge& h : result.halfedges)
+    if(h.opposite >= n)
+      h.opposite = null_index;
+  result.outgoing.assign(table.outgoing.begin(),
+                         table.outgoing.begin() + static_cast<std::ptrdiff_t>(table.first_ghost_vertex));
+  return result;
+}
+
 // The same surface with its faces in another order: first face order[0], then order[1]. Linear.
 inline Corner_table with_faces_in_order(const Corner_table& table, const std::vector<Index>& order)
 {
   std::vector<Index> place(order.size());
   for(Index i = 0; i < order.size(); ++i)
     place[order[i]] = i;
-  const auto moved = [&place](Index h) { return 3 * place[h / 3] + h % 3; };
+  const auto moved = [&place](Index h) { return h == null_index ? null_index : 3 * place[h / 3] + h % 3; };
   Corner_table result;
   result.halfedges.reserve(table.halfedges.size());
   for(Index f : order)
@@ -150,7 +224,9 @@ inline Corner_table with_faces_in_order(const Corner_table& table, const std::ve
       result.halfedges.push_back({table.halfedges[h].source, moved(table.halfedges[h].opposite)});
   result.outgoing.reserve(table.outgoing.size());
   for(Index h : table.outgoing)
-    result.outgoing.push_back(h == null_index ? null_index : moved(h));
+    result.outgoing.push_back(moved(h));
+  result.first_ghost_vertex = table.first_ghost_vertex;
+  result.first_ghost_face = table.first_ghost_face;
   return result;
 }
 

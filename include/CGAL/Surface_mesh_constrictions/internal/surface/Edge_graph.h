@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The vertices and edges of one level of a progressive mesh, numbered without gaps in ascending order of their ids, so
-// that what is done many times on a coarse level does not depend on the size of the input.
+// The vertices and edges of one level of a progressive mesh, without ghosts, numbered without gaps in ascending order
+// of their ids, so that what is done many times on a coarse level does not depend on the size of the input.
 class Edge_graph
 {
 public:
@@ -28,8 +28,8 @@ public:
   struct Edge
   {
     std::array<Index, 2> ends;
-    std::array<Index, 2> apexes; // the third vertices of its two faces
-    std::array<Index, 4> around; // the other edges of its two faces
+    std::array<Index, 2> apexes; // the third vertices of its two faces; null_index for a hole
+    std::array<Index, 4> around; // the other edges of its two faces; null_index for a hole
     double length;
   };
 
@@ -38,7 +38,7 @@ public:
   {
     std::vector<Index> number(pm.number_of_vertex_ids(), null_index);
     for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
-      if(pm.is_vertex(v))
+      if(pm.is_vertex(v) && !pm.is_ghost_vertex(v))
       {
         number[v] = static_cast<Index>(m_vertices.size());
         m_vertices.push_back(v);
@@ -51,6 +51,11 @@ public:
       const Index begin = pm.outgoing(v);
       Index h = begin;
       do {
+        if(pm.is_ghost_vertex(pm.target(h)))
+        {
+          h = pm.ccw(h);
+          continue;
+        }
         m_neighbours.push_back({number[pm.target(h)], norm(vector(pm.point(v), pm.point(pm.target(h))))});
         if(pm.edge(h) == h)
         {

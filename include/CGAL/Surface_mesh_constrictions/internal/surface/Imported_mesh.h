@@ -44,9 +44,23 @@ inline void check_points(const Corner_table& table, const std::vector<Point>& po
   }
 }
 
-// A triangle mesh taken over from a face graph, with the way back. Vertices and faces are numbered in the order of the
-// graph, until the faces are put into another order. Faces start at their vertex of smallest index, so that the same
-// mesh in different data structures is taken over the same way.
+// Closes the holes of an open surface by ghosts. A ghost vertex is put in the middle of the vertices of its hole.
+// Linear.
+inline void close_by_ghosts(Corner_table& table, std::vector<Point>& points)
+{
+  for(const std::vector<Index>& hole : close_by_ghosts(table))
+  {
+    double sum[3] = {0, 0, 0};
+    for(Index v : hole)
+      for(int i = 0; i < 3; ++i)
+        sum[i] += points[v][i] / static_cast<double>(hole.size());
+    points.emplace_back(sum[0], sum[1], sum[2]);
+  }
+}
+
+// A triangle mesh taken over from a face graph, with the way back; if it has a boundary, closed by ghosts. Vertices and
+// faces are numbered in the order of the graph, until the faces are put into another order. Faces start at their vertex
+// of smallest index, so that the same mesh in different data structures is taken over the same way.
 template <class TriangleMesh>
 class Imported_mesh
 {
@@ -94,14 +108,19 @@ public:
       else
         add_face(p, c, a, b, corners);
     }
-    table = make_corner_table(points.size(), corners);
+    table = make_corner_table(points.size(), corners, true);
     check_points(table, points);
+    if(has_border(table))
+      close_by_ghosts(table, points);
   }
 
-  // Numbers the faces anew: first face order[0], then order[1].
+  // Numbers the faces of the mesh anew: first face order[0], then order[1]. Ghosts stay the last.
   void reorder_faces(const std::vector<Index>& order)
   {
-    table = with_faces_in_order(table, order);
+    std::vector<Index> with_ghosts = order;
+    for(Index f = static_cast<Index>(order.size()); f < table.halfedges.size() / 3; ++f)
+      with_ghosts.push_back(f);
+    table = with_faces_in_order(table, with_ghosts);
     std::vector<halfedge_descriptor> halfedges;
     halfedges.reserve(order.size());
     for(Index f : order)
@@ -110,6 +129,10 @@ public:
   }
 
   const TriangleMesh& mesh() const { return m_tm; }
+
+  // without ghosts
+  std::size_t number_of_vertices() const { return m_vertices.size(); }
+  std::size_t number_of_faces() const { return m_halfedges.size(); }
 
   // Divides coordinates by a power of two if they are so large or so small that their products would overflow or
   // vanish.

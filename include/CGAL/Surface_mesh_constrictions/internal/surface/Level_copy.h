@@ -53,6 +53,7 @@ private:
   {
     std::vector<Index> corners;
     std::vector<Progressive_mesh::Point> points;
+    std::size_t vertices = 0, faces = 0; // without ghosts, which come last
     for(Index f = 0; f < pm.number_of_face_ids(); ++f)
       if(pm.is_face(f))
         for(Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -65,9 +66,19 @@ private:
             original.push_back(pm.source(h));
           }
           corners.push_back(v);
+          if(!pm.is_ghost_face(f))
+          {
+            vertices = points.size();
+            faces = corners.size() / 3;
+          }
         }
-    const std::size_t n = points.size();
-    return Progressive_mesh(make_corner_table(n, corners), std::move(points));
+    Corner_table table = make_corner_table(points.size(), corners);
+    if(pm.has_boundary())
+    {
+      table.first_ghost_vertex = static_cast<Index>(vertices);
+      table.first_ghost_face = static_cast<Index>(faces);
+    }
+    return Progressive_mesh(std::move(table), std::move(points));
   }
 
   std::vector<Index> m_vertex;   // of this surface, by vertex of T^0

@@ -20,7 +20,7 @@ namespace internal {
 // component of genus g (tree-cotree decomposition, Eppstein, "Dynamic generators of topologically embedded graphs",
 // 2003). Each of these closes a cycle of faces through the tree of faces, and the cycles are a basis of the first
 // homology group. How often a path crosses each of them, modulo 2, is its homology class; a path bounds if and only if
-// all are even.
+// all are even. The holes of a surface with boundary are filled, and what fills them has no area.
 class Surface_cycles
 {
 public:
@@ -80,6 +80,23 @@ public:
         result.push_back(i);
     }
     return result;
+  }
+
+  // For a closed path that bounds, and an area of which only rounding keeps a multiple of the area of the component
+  // away: whether the path leaves no face of the surface on its left but at most ghosts, and some of these. Then it has
+  // no area there, and else all. Linear in the path.
+  bool has_only_ghosts_on_left(const std::vector<Index>& path) const
+  {
+    long faces = 0, ghosts = 0;
+    for_each_subtree_beside(path, [&](Index f, int sign) {
+      ghosts += sign * ghosts_of_subtree(f);
+      faces += sign * (subtree(f).faces - ghosts_of_subtree(f));
+    });
+    const Index root = m_root[m_pm.face(m_pm.outgoing(path[0]))];
+    const long all_ghosts = ghosts_of_subtree(root), all_faces = subtree(root).faces - all_ghosts;
+    const long turns = faces >= 0 ? faces / all_faces : -((all_faces - 1 - faces) / all_faces);
+    faces -= turns * all_faces;
+    return faces == 0 ? ghosts - turns * all_ghosts > 0 : 2 * faces < all_faces;
   }
 
   // The area on the left of a closed path that bounds, up to multiples of the area of the component. Linear in the
@@ -166,6 +183,13 @@ private:
   Numbers subtree(Index f) const
   {
     return {static_cast<long>(m_end[f]) - static_cast<long>(m_first[f]), static_cast<long>(m_number_of_vertices[f])};
+  }
+
+  long ghosts_of_subtree(Index f) const
+  {
+    return m_ghosts_before.empty() ? 0
+                                   : static_cast<long>(m_ghosts_before[m_end[f]]) -
+                                         static_cast<long>(m_ghosts_before[m_first[f]]);
   }
 
   // The subtrees of faces that a path turns off, and 1 or -1 for whether their top is on its left or on its right.
@@ -264,10 +288,17 @@ private:
         m_number_of_vertices[parent] += m_number_of_vertices[f];
       }
     }
+    if(!m_pm.has_boundary())
+      return;
+    m_ghosts_before.assign(1, 0);
+    for(Index f : order)
+      m_ghosts_before.push_back(m_ghosts_before.back() + (m_pm.is_ghost_face(f) ? 1 : 0));
   }
 
   static double face_area(const Progressive_mesh& pm, Index f)
   {
+    if(pm.is_ghost_face(f))
+      return 0;
     const auto& p = pm.point(pm.source(3 * f));
     return norm(cross(vector(p, pm.point(pm.source(3 * f + 1))), vector(p, pm.point(pm.source(3 * f + 2))))) / 2;
   }
@@ -278,6 +309,7 @@ private:
   std::vector<Index> m_root;               // of the tree that a face belongs to
   std::vector<double> m_area;              // of the subtree of a face
   std::vector<Index> m_number_of_vertices; // that belong to the faces of the subtree of a face
+  std::vector<Index> m_ghosts_before;      // by the number of a face; empty if there are none
   std::vector<Index> m_left_over;          // edges neither in the tree of vertices nor crossed by that of faces
 };
 

@@ -23,8 +23,8 @@ inline void check_loop(const Progressive_mesh& pm, const std::vector<Index>& pat
   for(std::size_t i = 0; i < path.size(); ++i)
   {
     const Index u = path[i], v = path[(i + 1) % path.size()];
-    if(u >= pm.number_of_vertex_ids() || v >= pm.number_of_vertex_ids() || !pm.is_vertex(u) ||
-       pm.halfedge(u, v) == null_index)
+    if(u >= pm.number_of_vertex_ids() || v >= pm.number_of_vertex_ids() || pm.is_ghost_vertex(u) ||
+       pm.is_ghost_vertex(v) || !pm.is_vertex(u) || pm.halfedge(u, v) == null_index)
       throw Invalid_input(Input_defect::INVALID_LOOP, number,
                           name + " is not a path of mesh edges: no edge joins vertices " + std::to_string(u) +
                           " and " + std::to_string(v));

@@ -6,14 +6,18 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Angle at source(h) in the face of h, in [0, pi].
+// Angle at source(h) in the face of h, in [0, pi]; infinite in a ghost face: a hole is an obstacle, and no curve can be
+// led around a vertex through it.
 inline double corner_angle(const Progressive_mesh& pm, Index h)
 {
+  if(pm.is_ghost_face(pm.face(h)))
+    return (std::numeric_limits<double>::infinity)();
   const auto& p = pm.point(pm.source(h));
   const Vector3 a = vector(p, pm.point(pm.target(h))), b = vector(p, pm.point(pm.source(pm.prev(h))));
   return std::atan2(norm(cross(a, b)), dot(a, b));

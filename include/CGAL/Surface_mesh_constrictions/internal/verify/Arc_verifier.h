@@ -6,6 +6,8 @@
 #include <CGAL/Surface_mesh_constrictions/internal/verify/Curve_nodes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/verify/Shortest_path_patch.h>
 
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -83,8 +85,9 @@ public:
     return compare(patch, arc);
   }
 
-  // The arc from the node before to the node after the vertex at `node`, in the star of that vertex. Linear in the
-  // vertex's degree, plus CGAL's search.
+  // The arc from the node before to the node after the vertex at `node`, in the star of that vertex; on the boundary of
+  // the mesh that is a fan, with the vertex on the boundary of the patch. Linear in the vertex's degree, plus CGAL's
+  // search.
   Arc_verdict verify_in_star(std::size_t node) const
   {
     Patch patch;
@@ -93,17 +96,26 @@ public:
     const std::size_t centre = add_corner(patch, v);
     std::size_t begin = centre, end = centre;
     std::vector<std::size_t> link;
-    const halfedge_descriptor done = next(halfedge(v, m_tm), m_tm);
-    halfedge_descriptor h = done; // out of v
+    halfedge_descriptor done = next(halfedge(v, m_tm), m_tm); // out of v
+    bool is_on_boundary = false;
+    for(halfedge_descriptor around : CGAL::halfedges_around_target(v, m_tm))
+      if(CGAL::is_border(around, m_tm))
+      {
+        if(is_on_boundary) // of two holes
+          return {Arc_refusal::NOT_A_PATH, 0, 0};
+        is_on_boundary = true;
+        done = opposite(around, m_tm);
+      }
+    halfedge_descriptor h = done;
     do {
-      if(face(h, m_tm) == Graph_traits::null_face())
-        return {Arc_refusal::NOT_A_PATH, 0, 0};
       link.push_back(add_corner(patch, target(h, m_tm)));
-      const halfedge_descriptor e = next(h, m_tm);
       if(before.is_vertex && before.vertex == target(h, m_tm))
         begin = link.back();
       if(after.is_vertex && after.vertex == target(h, m_tm))
         end = link.back();
+      if(CGAL::is_border(h, m_tm))
+        break; // the last edge before the hole
+      const halfedge_descriptor e = next(h, m_tm);
       const bool comes = !before.is_vertex && before.halfedge == opposite(e, m_tm);
       const bool leaves = !after.is_vertex && after.halfedge == e;
       const double from = 1 - before.parameter, to = after.parameter; // along e
@@ -119,7 +131,7 @@ public:
     } while(h != done);
     if(begin == end)
       return {Arc_refusal::SHORTER_PATH, 1, 0};
-    for(std::size_t i = 0; i < link.size(); ++i)
+    for(std::size_t i = 0; i + (is_on_boundary ? 1 : 0) < link.size(); ++i)
       patch.add_face(centre, link[i], link[(i + 1) % link.size()]);
     if(!patch.build())
       return {Arc_refusal::NOT_A_PATH, 0, 0};
