@@ -18,6 +18,7 @@ packages=(
   libmpfr-dev
   libtbb-dev
   nlohmann-json3-dev
+  zlib1g-dev
 )
 optional=()
 # Programs, which may come from elsewhere. Debian's npm needs Debian's nodejs.
