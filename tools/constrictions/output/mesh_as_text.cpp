@@ -10,7 +10,7 @@ namespace constrictions {
 
 namespace {
 
-std::string extension_of(const std::string& file_name)
+std::string written_extension(const std::string& file_name)
 {
   std::string extension = std::filesystem::path(file_name).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -22,13 +22,13 @@ std::string extension_of(const std::string& file_name)
 
 bool is_text_format(const std::string& file_name)
 {
-  const std::string extension = extension_of(file_name);
+  const std::string extension = written_extension(file_name);
   return extension == ".off" || extension == ".obj" || extension == ".ply";
 }
 
 std::string mesh_as_text(const Mesh& mesh, const std::string& file_name)
 {
-  const std::string extension = extension_of(file_name);
+  const std::string extension = written_extension(file_name);
   const bool is_obj = extension == ".obj";
   std::ostringstream out;
   out.precision(17);
