@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace constrictions {
@@ -275,17 +276,23 @@ private:
       ways.push_back(ways_to_pair(m_points[edge.u], m_points[edge.v], sides, is_inside_out));
       set_pairs(edge, ways.back()[0]);
     }
-    const int rounds = 16;
+    // What becomes of an edge depends on its neighbours: of neighbours one is changed at a time, as long as that does not
+    // take too long.
+    const int patience = 200;
     for(int round = 0;; ++round)
     {
       const std::vector<std::size_t> failures = edges_with_equal_ends();
       if(failures.empty())
         return;
+      std::unordered_set<Index> touched;
       for(std::size_t e : failures)
       {
-        if(round == rounds || ways[e].size() == 1)
+        if(way[e] + 1 == ways[e].size())
           throw_not_split(m_crowded[e]);
-        way[e] = (way[e] + 1) % ways[e].size();
+        const bool is_first = touched.insert(m_crowded[e].u).second && touched.insert(m_crowded[e].v).second;
+        if(!is_first && round < patience)
+          continue;
+        ++way[e];
         set_pairs(m_crowded[e], ways[e][way[e]]);
       }
     }
@@ -338,7 +345,7 @@ private:
     throw Invalid_input(Input_defect::NON_MANIFOLD_EDGE, f,
                         "non-manifold edge: " + edge_name(edge.u, edge.v) + " of face " + std::to_string(f) + " has " +
                         std::to_string(edge.sides.size()) +
-                        " faces, and however they are paired two edges with the same ends are left");
+                        " faces, and cannot be made several edges with different ends");
   }
 
   // Two triangles joined along all three edges.

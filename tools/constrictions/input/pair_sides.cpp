@@ -86,6 +86,7 @@ std::vector<std::vector<Side_pair> > ways_to_pair(const Point& u, const Point& v
   std::vector<std::vector<Side_pair> > result;
   for(bool forth_closes : {!is_inside_out, is_inside_out})
     result.push_back(matched(in_order(forth_closes), forth_closes));
+  result.emplace_back();
   return result;
 }
 

@@ -160,7 +160,9 @@ Polygon_soup read_ascii_stl(const Input_file& file)
 {
   try
   {
-    return read_lines(file);
+    Polygon_soup soup = read_lines(file);
+    // all in one line may stand behind "solid"
+    return soup.number_of_faces() > 0 ? soup : read_words(file);
   }
   catch(const Input_file_error&)
   {

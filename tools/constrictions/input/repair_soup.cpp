@@ -60,18 +60,25 @@ Triangles triangulate(const std::vector<Point>& points, const Clean_faces& faces
     }
     const std::vector<SMC::internal::Polygon_triangle> triangles =
         SMC::internal::triangulate_polygon(polygon, [&](std::size_t a, std::size_t b) {
-          return corners[a] != corners[b] && edges.count(edge_key(corners[a], corners[b])) == 0;
+          return points[corners[a]] != points[corners[b]] && edges.count(edge_key(corners[a], corners[b])) == 0;
         });
+    std::size_t pieces = 0;
     for(const SMC::internal::Polygon_triangle& t : triangles)
     {
       const std::array<Index, 3> c = {{corners[t[0]], corners[t[1]], corners[t[2]]}};
-      if(c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) // at a vertex that the polygon has twice
+      const Point &p = points[c[0]], &q = points[c[1]], &r = points[c[2]];
+      if(p == q || q == r || r == p) // where the polygon comes to one place twice
         continue;
+      ++pieces;
       result.corners.insert(result.corners.end(), c.begin(), c.end());
       result.face.push_back(f);
       for(std::size_t k = 0; k < 3; ++k)
         edges.insert(edge_key(c[k], c[(k + 1) % 3]));
     }
+    if(pieces == 0)
+      findings.add(Finding::DEGENERATE_FACES, [f] {
+        return "degenerate face: face " + std::to_string(f) + " goes to and fro between two places";
+      });
   }
   return result;
 }

@@ -31,7 +31,8 @@ struct Repaired_soup
 /// 7. triangles are turned round, as few as possible;
 /// 8. edges with more than two faces are made several, and vertices with more than one fan of faces too. Of the ways to
 ///    pair the faces at an edge the one is taken that keeps solids apart: each face is joined to the next one around the
-///    edge, seen from the inside of the body;
+///    edge, seen from the inside of the body; if two edges with the same ends would be left, across the outside; and if
+///    that does not help the surface is cut open along the edge;
 /// 9. bodies of two faces with the same corners are left out.
 ///
 /// No vertex is moved. Linear but for sorting, and the square of the number of faces at one edge.
