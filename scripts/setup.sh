@@ -27,6 +27,7 @@ packages=(
   libtbb-dev
   make
   nlohmann-json3-dev
+  zlib1g-dev
 )
 # for the page of the viewer
 optional=(esbuild libjs-three)

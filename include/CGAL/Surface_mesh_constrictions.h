@@ -41,6 +41,7 @@
 #include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
 #include <CGAL/Surface_mesh_constrictions/split_along_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/triangulate_with_face_map.h>
 #include <CGAL/Surface_mesh_constrictions/verify_with_shortest_paths.h>
 
 #endif // CGAL_SURFACE_MESH_CONSTRICTIONS_H

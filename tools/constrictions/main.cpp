@@ -6,6 +6,8 @@
 #include "input/input_file.h"
 #include "options.h"
 #include "output/certificates.h"
+#include "output/check_report.h"
+#include "output/mesh_as_text.h"
 #include "output/output_file.h"
 #include "output/parts.h"
 #include "view/view_page.h"
@@ -48,6 +50,8 @@ void check_outputs(const Options& options)
       check_writable(options.file_in_folder(name));
   if(options.command == Command::VIEW)
     check_writable(options.page);
+  if(!options.repaired.empty())
+    check_writable(options.repaired);
   for(const std::vector<std::string>& files :
       {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files()})
     for(const std::string& file : files)
@@ -74,7 +78,8 @@ void write_outputs(const Options& options, const Report& report)
     write_to_standard_output(report_as_table(report));
 }
 
-void detect(const Options& options, const Selection& selection, Stage_monitor& monitor, Report& report, Levels* levels)
+void detect_by_policy(const Options& options, const Selection& selection, Stage_monitor& monitor, Report& report,
+                      Levels* levels)
 {
   switch(options.policy)
   {
@@ -91,6 +96,18 @@ void detect(const Options& options, const Selection& selection, Stage_monitor& m
   report.statistics = monitor.statistics;
 }
 
+void detect(const Options& options, const Selection& selection, Stage_monitor& monitor, Report& report, Levels* levels)
+{
+  try
+  {
+    detect_by_policy(options, selection, monitor, report, levels);
+  }
+  catch(const Invalid_input& e)
+  {
+    throw with_hint(e, report.file);
+  }
+}
+
 void tighten(const Options& options, const Loops& loops, Stage_monitor& monitor, Report& report)
 {
   try
@@ -100,7 +117,7 @@ void tighten(const Options& options, const Loops& loops, Stage_monitor& monitor,
   catch(const Invalid_input& e)
   {
     if(e.defect() != Input_defect::INVALID_LOOP)
-      throw;
+      throw with_hint(e, report.file);
     throw Input_file_error(options.loops, "line " + std::to_string(loops.lines.at(e.element())) + ": " + e.what());
   }
 }
@@ -140,16 +157,24 @@ void write_page(const Options& options, const Report& report, Levels& levels)
   write_files({{options.page, view_page(report, parts, playback, minimum_prominence(options))}});
 }
 
+// On one line, if there is anything to tell.
+void tell_of_repairs(const std::string& mesh, const File_record& record)
+{
+  const std::string summary = summary_of(record.findings);
+  if(!summary.empty())
+    std::cerr << "constrictions: " << printable(mesh) << ": " << summary << std::endl;
+}
+
 void run(const Options& options)
 {
   const auto begin = std::chrono::steady_clock::now();
   Report report;
   report.mesh_file = options.mesh;
-  report.mesh = read_mesh_file(options.mesh, report.is_turned);
+  report.mesh = read_mesh_file(options.mesh, options.reading, report.file);
   report.seconds.read = seconds_since(begin);
   Loops loops;
   if(options.command == Command::TIGHTEN)
-    loops = read_loops_file(options.loops, report.mesh);
+    loops = read_loops_file(options.loops, report.mesh, report.file.numbering);
   check_outputs(options);
 
   Levels levels;
@@ -168,6 +193,7 @@ void run(const Options& options)
     report.seconds.certify = monitor.seconds(Detection_stage::CERTIFICATION);
     report.seconds.select = monitor.seconds(Detection_stage::SELECTION);
   }
+  tell_of_repairs(options.mesh, report.file);
   if(options.command == Command::VIEW)
   {
     write_page(options, report, levels);
@@ -189,17 +215,25 @@ void run(const Options& options)
 // Returns the exit code.
 int certify(const Options& options)
 {
-  std::vector<bool> is_turned;
-  const Mesh mesh = read_mesh_file(options.mesh, is_turned);
-  const Curves curves = read_curves_file(options.curves, mesh, is_turned);
+  File_record record;
+  const Mesh mesh = read_mesh_file(options.mesh, options.reading, record);
+  const Curves curves = read_curves_file(options.curves, mesh, record.numbering);
   check_outputs(options);
 
   std::vector<Certified_curve> certified;
   {
     Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
-    certified = certify_curves(mesh, curves, monitor);
+    try
+    {
+      certified = certify_curves(mesh, curves, monitor);
+    }
+    catch(const Invalid_input& e)
+    {
+      throw with_hint(e, record);
+    }
   }
-  const std::string json = certificates_as_json(options.mesh, mesh, certified);
+  tell_of_repairs(options.mesh, record);
+  const std::string json = certificates_as_json(options.mesh, record.numbering, certified);
   std::vector<Output_file> files;
   for(const std::string& name : options.json_files())
     files.push_back({name, json});
@@ -215,12 +249,28 @@ int certify(const Options& options)
   return 1;
 }
 
+// Returns the exit code.
+int check(const Options& options)
+{
+  check_outputs(options);
+  const Check_report report = check_mesh(options.mesh, options.reading);
+  const std::string json = check_as_json(report);
+  std::vector<Output_file> files;
+  for(const std::string& name : options.json_files())
+    files.push_back({name, json});
+  if(!options.repaired.empty() && report.mesh.number_of_faces() > 0)
+    files.push_back({options.repaired, mesh_as_text(report.mesh, options.repaired)});
+  write_files(files);
+  write_to_standard_output(options.prints_json() ? json : check_as_text(report));
+  return report.refusal.empty() ? 0 : 1;
+}
+
 // What `detect` finds in a mesh.
 Report detection(const Options& options, const std::string& mesh)
 {
   Report report;
   report.mesh_file = mesh;
-  report.mesh = read_mesh_file(mesh, report.is_turned);
+  report.mesh = read_mesh_file(mesh, options.reading, report.file);
   Stage_monitor monitor(false);
   detect(options, options.selection, monitor, report, nullptr);
   return report;
@@ -275,6 +325,8 @@ int main(int argc, char** argv)
     const constrictions::Thread_limit thread_limit(options.threads);
     if(options.command == constrictions::Command::CERTIFY)
       return constrictions::certify(options);
+    if(options.command == constrictions::Command::CHECK)
+      return constrictions::check(options);
     if(options.command == constrictions::Command::BATCH)
     {
       constrictions::run_batch(options, [&options](const std::string& mesh) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options.h"
 
+#include "output/mesh_as_text.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -26,7 +28,10 @@ namespace fs = std::filesystem;
 
 const char* const description =
     "Finds the constrictions of a surface: closed curves of locally minimal length, where a rubber band around the\n"
-    "object stays put. The surface is a triangle mesh in an OFF, OBJ, PLY or STL file; it may have holes.\n";
+    "object stays put. The surface is a mesh in an OFF, OBJ, PLY or STL file, which may be gzipped, or, with - for the\n"
+    "file, in the standard input. Polygons are triangulated, and what is not a manifold is made one, without moving\n"
+    "a vertex: a line on the standard error output, and the JSON, say what was done. Faces and vertices are numbered\n"
+    "as in the file.\n";
 
 const char* const examples =
     "\nExamples:\n"
@@ -44,6 +49,8 @@ const char* const examples =
     "      writes a page that shows the surface with its constrictions and parts; open it in a browser\n"
     "  constrictions certify bone.ply --curves result/constrictions.json\n"
     "      proves with exact arithmetic that the curves are constrictions, or says what is wrong with them\n"
+    "  constrictions check scan.stl -o repaired.ply\n"
+    "      prints what is wrong with a mesh, and writes it as the other commands would use it\n"
     "  constrictions batch meshes -o results -j 8 --time-limit 60\n"
     "      goes through the meshes of a folder, 8 at a time; writes a line of JSON for each into results/results.jsonl\n"
     "\n"
@@ -55,12 +62,55 @@ std::string not_empty(const std::string& name)
   return name.empty() ? "a name is missing" : "";
 }
 
+CLI::Validator greater_than_zero()
+{
+  return CLI::Validator(
+      [](const std::string& text) {
+        double value = 0;
+        return CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value)
+                   ? ""
+                   : "give a number that is greater than 0";
+      },
+      "");
+}
+
+void add_reading(CLI::App& command, Reading& reading)
+{
+  command.add_flag("--strict", reading.is_strict,
+                   "refuse a mesh with polygons, duplicate or degenerate faces, or edges or vertices that are not "
+                   "manifold, instead of repairing it");
+  command
+      .add_option("--merge", reading.merging_distance,
+                  "merge vertices that are nearer to each other than this, each into the first one near")
+      ->type_name("EPS")
+      ->check(greater_than_zero());
+}
+
 void add_mesh(CLI::App& command, Options& options)
 {
-  command.add_option("MESH", options.mesh, "triangle mesh (OFF, OBJ, PLY or STL)")
-      ->type_name("FILE")
+  command.add_option("MESH", options.mesh, "mesh (OFF, OBJ, PLY or STL, also gzipped); - is the standard input")
+      ->type_name("FILE|-")
       ->required()
       ->check(not_empty);
+  add_reading(command, options.reading);
+}
+
+void add_check_options(CLI::App& command, Options& options)
+{
+  add_mesh(command, options);
+  command
+      .add_option("-o", options.repaired, "write the mesh as it is repaired: OFF, OBJ or PLY, by the extension")
+      ->type_name("FILE")
+      ->check(not_empty)
+      ->check(CLI::Validator(
+          [](const std::string& name) {
+            return is_text_format(name) ? "" : "give a file name that ends in .off, .obj or .ply";
+          },
+          ""));
+  command.add_option("--json", options.json, "write the report as JSON; - prints it, instead of the lines")
+      ->type_name("FILE|-")
+      ->check(not_empty);
+  command.footer("\nThe exit code is 0 if constrictions of the mesh can be computed, as it is or as repaired, else 1.\n");
 }
 
 void add_no_certify(CLI::App& command, Search& search)
@@ -271,12 +321,7 @@ void add_batch_options(CLI::App& command, Options& options)
         return parse_slice(text) ? "" : "give the number of a slice and the number of slices, as in 2/10";
       },
       "");
-  const CLI::Validator positive(
-      [](const std::string& text) {
-        double value = 0;
-        return CLI::detail::lexical_cast(text, value) && value > 0 ? "" : "give a number that is greater than 0";
-      },
-      "");
+  const CLI::Validator positive = greater_than_zero();
   Batch& batch = options.batch;
   batch.limits.processes = (std::max)(1u, std::thread::hardware_concurrency());
   batch.limits.seconds = 3600;
@@ -284,7 +329,7 @@ void add_batch_options(CLI::App& command, Options& options)
   command
       .add_option("INPUT", batch.inputs,
                   "text file with the name of a mesh on each line (- reads it from the standard input), folder whose "
-                  "OFF, OBJ, PLY and STL files are taken, or mesh")
+                  "OFF, OBJ, PLY and STL files, also gzipped, are taken, or mesh")
       ->type_name("LIST|DIR|MESH ...")
       ->required()
       ->check(not_empty);
@@ -310,6 +355,7 @@ void add_batch_options(CLI::App& command, Options& options)
           "take every N-th mesh only, from the I-th on, and write DIR/results.I-of-N.jsonl: for the tasks of a job array")
       ->type_name("I/N")
       ->check(is_slice);
+  add_reading(command, options.reading);
   add_no_certify(command, options.search);
   command.add_flag("--quiet", options.quiet, "show no progress, and print no table");
   command.footer("\nEach mesh is gone through in a process of its own, so a failure is no more than a line with its "
@@ -319,7 +365,7 @@ void add_batch_options(CLI::App& command, Options& options)
 // Files that would overwrite each other or the input are a mistake on the command line.
 void check_files(const Options& options)
 {
-  std::vector<std::string> names = {options.mesh};
+  std::vector<std::string> names = {options.mesh == "-" ? "/dev/stdin" : options.mesh};
   for(const std::string& name : {options.loops, options.curves})
     if(!name.empty())
       names.push_back(name);
@@ -327,8 +373,9 @@ void check_files(const Options& options)
   for(const std::vector<std::string>& files :
       {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files()})
     names.insert(names.end(), files.begin(), files.end());
-  if(!options.page.empty())
-    names.push_back(options.page);
+  for(const std::string& name : {options.page, options.repaired})
+    if(!name.empty())
+      names.push_back(name);
 
   if(options.command == Command::SEGMENT && is_part_file(options.mesh, options.folder))
     throw CLI::ValidationError(options.mesh, "the output could overwrite the input");
@@ -421,6 +468,9 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   add_threads(view, options);
   add_seeds(view, options.search);
 
+  CLI::App& check = *app.add_subcommand("check", "say everything that is wrong with a mesh");
+  add_check_options(check, options);
+
   try
   {
     app.parse(argc, argv);
@@ -429,6 +479,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
                       : segment.parsed() ? Command::SEGMENT
                       : batch.parsed()   ? Command::BATCH
                       : view.parsed()    ? Command::VIEW
+                      : check.parsed()   ? Command::CHECK
                                          : Command::DETECT;
     options.policy = policy == "gh"   ? Policy::GARLAND_HECKBERT
                      : policy == "lt" ? Policy::LINDSTROM_TURK

@@ -4,6 +4,7 @@
 
 #include "batch/batch_input.h"
 #include "batch/process_pool.h"
+#include "input/mesh_file.h"
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 
@@ -16,7 +17,7 @@
 
 namespace constrictions {
 
-enum class Command { DETECT, TIGHTEN, CERTIFY, SEGMENT, BATCH, VIEW };
+enum class Command { DETECT, TIGHTEN, CERTIFY, SEGMENT, BATCH, VIEW, CHECK };
 
 enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
 
@@ -65,6 +66,8 @@ struct Options
   std::string json; ///< "-" is the standard output
   std::string polylines;
   std::string page;
+  std::string repaired; ///< the mesh as repaired
+  Reading reading;
   Policy policy = Policy::GARLAND_HECKBERT;
   Search search;
   Selection selection;

@@ -55,7 +55,8 @@ TEST_F(Program, detect_prints_json_only)
   EXPECT_EQ(j["format"], "constrictions/1");
 
   const auto& mesh = j["mesh"];
-  EXPECT_EQ(keys(mesh), (Keys{"file", "vertices", "faces", "components", "genus", "holes", "area"}));
+  EXPECT_EQ(keys(mesh), (Keys{"file", "vertices", "faces", "triangles", "components", "genus", "holes", "border_edges",
+                              "area", "repairs"}));
   EXPECT_EQ(mesh["file"], "dumbbell.off");
   EXPECT_EQ(mesh["vertices"], 116);
   EXPECT_EQ(mesh["faces"], 228);
@@ -373,10 +374,10 @@ TEST_F(Program, unusable_meshes)
   write("infinite.off", std::string(tetrahedron).replace(std::string(tetrahedron).find("0 1 0"), 5, "0 inf 0"));
   write("flat.off", std::string(tetrahedron).replace(std::string(tetrahedron).find("0 1 0"), 5, "1 0 0"));
   write("empty.off", "");
-  expect_failure(1, "detect touching.off", {"touching.off: ", "non-manifold vertex", "vertex 0"});
   expect_failure(1, "detect nan.off", {"nan.off: ", "line 5", "vertex 2"});
   expect_failure(1, "detect infinite.off", {"infinite.off: ", "vertex 2", "inf"});
-  expect_failure(1, "detect flat.off", {"flat.off: ", "vertices 2 and 1", "face 0"});
+  expect_failure(1, "detect flat.off", {"flat.off: ", "no face is left of 4", "2 degenerate faces"});
+  expect_failure(1, "detect flat.off --strict", {"flat.off: "});
   expect_failure(1, "detect empty.off", {"empty.off: "});
   expect_failure(1, "detect missing.off --json a.json", {"missing.off: "});
   expect_failure(1, "detect .", {"folder"});

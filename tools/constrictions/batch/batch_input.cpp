@@ -19,11 +19,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has_mesh_extension(const fs::path& name)
+std::string lower_case_extension(const fs::path& name)
 {
   std::string extension = name.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool has_mesh_extension(const fs::path& name)
+{
+  std::string extension = lower_case_extension(name);
+  if(extension == ".gz")
+    extension = lower_case_extension(name.stem());
   return extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
 }
 

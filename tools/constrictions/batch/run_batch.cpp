@@ -69,6 +69,8 @@ nlohmann::ordered_json settings(const Options& options)
                                                                                           : "length"},
                                    {"seeds", options.search.triangles_only ? "triangles" : "all"},
                                    {"certify", options.search.certifies},
+                                   {"strict", options.reading.is_strict},
+                                   {"merge", options.reading.merging_distance},
                                    {"all", s.all},
                                    {"rims", s.rims},
                                    {"max", nullptr},

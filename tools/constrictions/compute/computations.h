@@ -8,10 +8,12 @@
 #include "input/loops_file.h"
 #include "options.h"
 #include "output/certificates.h"
+#include "output/check_report.h"
 #include "output/parts.h"
 #include "output/report.h"
 #include "view/playback.h"
 
+#include <string>
 #include <vector>
 
 namespace constrictions {
@@ -36,6 +38,9 @@ std::vector<Certified_curve> certify_curves(const Mesh& mesh, const Curves& curv
 
 /// cuts the mesh along those of the constrictions that are chosen; everything but the time.
 Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constrictions, const Segmentation& segmentation);
+
+/// everything that is wrong with a mesh file. Throws `Input_file_error` for a file that cannot be read.
+Check_report check_mesh(const std::string& name, const Reading& reading);
 
 /// carries seeds of the constrictions through the levels. `levels` are those that the constrictions were detected with.
 Playback record_playback(const Mesh& mesh, const std::vector<Constriction>& constrictions,

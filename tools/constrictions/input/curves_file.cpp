@@ -45,9 +45,16 @@ Json parse(const Input_file& file)
 class Curve_reader
 {
 public:
-  Curve_reader(const Input_file& file, const Mesh& mesh, const std::vector<bool>& is_turned)
-    : m_file(file), m_mesh(mesh), m_is_turned(is_turned)
-  {}
+  Curve_reader(const Input_file& file, const Mesh& mesh, const File_numbering& numbering)
+    : m_file(file), m_mesh(mesh), m_numbering(numbering), m_first_triangle(numbering.faces + 1, 0)
+  {
+    if(numbering.face.empty())
+      return;
+    for(Index f : numbering.face)
+      ++m_first_triangle[f + std::size_t(1)];
+    for(std::size_t f = 0; f < numbering.faces; ++f)
+      m_first_triangle[f + 1] += m_first_triangle[f];
+  }
 
   Curves read(const Json& json)
   {
@@ -76,6 +83,7 @@ public:
 
 private:
   typedef std::array<double, 3> Barycentric; // in the order of the corners in the mesh
+  typedef std::array<std::uint64_t, 3> Corners; // vertices of the file
 
   [[noreturn]] void fail(const std::string& reason) const { m_file.fail(m_place + reason); }
 
@@ -84,9 +92,9 @@ private:
     if(!mesh.is_object() || !mesh.contains("faces"))
       return;
     const std::uint64_t faces = number(mesh, "faces");
-    if(faces != m_mesh.number_of_faces())
+    if(faces != m_numbering.faces)
       fail("the curves are of a mesh with " + std::to_string(faces) + " faces, this one has " +
-           std::to_string(m_mesh.number_of_faces()));
+           std::to_string(m_numbering.faces));
   }
 
   const Json& array(const Json& object, const char* key) const
@@ -129,7 +137,7 @@ private:
     return Constriction(std::move(data));
   }
 
-  // The vertex at each point; the null vertex where none is named.
+  // The vertex of the file at each point; the null vertex where none is named.
   std::vector<Mesh::Vertex_index> read_pivots(const Json& curve, std::size_t number_of_points) const
   {
     std::vector<Mesh::Vertex_index> result(number_of_points, Mesh::null_vertex());
@@ -141,9 +149,9 @@ private:
       if(point >= number_of_points)
         fail("pivot at point " + std::to_string(point) + ", which does not exist: the curve has " +
              std::to_string(number_of_points) + " points");
-      if(v >= m_mesh.num_vertices())
+      if(v >= m_numbering.vertices)
         fail("pivot at point " + std::to_string(point) + ": vertex " + std::to_string(v) +
-             " does not exist: the mesh has " + std::to_string(m_mesh.num_vertices()) + " vertices");
+             " does not exist: the mesh has " + std::to_string(m_numbering.vertices) + " vertices");
       result[point] = Mesh::Vertex_index(static_cast<Mesh::size_type>(v));
     }
     return result;
@@ -152,10 +160,54 @@ private:
   Mesh::Face_index read_face(const Json& location) const
   {
     const std::uint64_t f = number(location, "face");
-    if(f >= m_mesh.number_of_faces())
-      fail("face " + std::to_string(f) + " does not exist: the mesh has " + std::to_string(m_mesh.number_of_faces()) +
+    if(f >= m_numbering.faces)
+      fail("face " + std::to_string(f) + " does not exist: the mesh has " + std::to_string(m_numbering.faces) +
            " faces");
-    return Mesh::Face_index(static_cast<Mesh::size_type>(f));
+    if(m_numbering.face.empty())
+      return Mesh::Face_index(static_cast<Mesh::size_type>(f));
+    const std::size_t begin = m_first_triangle[f], end = m_first_triangle[f + 1];
+    if(begin == end)
+      fail("face " + std::to_string(f) + " has been left out of the mesh");
+    if(!m_numbering.is_piece_of_polygon(begin))
+      return Mesh::Face_index(static_cast<Mesh::size_type>(begin));
+    return read_piece(location, f, begin, end);
+  }
+
+  // Triangles of one face of the file follow each other.
+  Mesh::Face_index read_piece(const Json& location, std::uint64_t f, std::size_t begin, std::size_t end) const
+  {
+    const Corners corners = read_corners(location, f);
+    for(std::size_t t = begin; t < end; ++t)
+    {
+      const Mesh::Face_index face(static_cast<Mesh::size_type>(t));
+      Corners own = corners_of(face);
+      if(std::is_permutation(own.begin(), own.end(), corners.begin()))
+        return face;
+    }
+    fail("\"triangle\" is no piece of face " + std::to_string(f));
+  }
+
+  Corners read_corners(const Json& location, std::uint64_t f) const
+  {
+    if(!location.contains("triangle"))
+      fail("face " + std::to_string(f) + " is no triangle, and \"triangle\" is missing");
+    const Json& triangle = array(location, "triangle");
+    if(triangle.size() != 3 || !std::all_of(triangle.begin(), triangle.end(),
+                                            [](const Json& x) { return x.is_number_unsigned(); }))
+      fail("\"triangle\" is not three numbers counted from 0");
+    return {triangle[0].get<std::uint64_t>(), triangle[1].get<std::uint64_t>(), triangle[2].get<std::uint64_t>()};
+  }
+
+  Corners corners_of(Mesh::Face_index face) const
+  {
+    Corners result;
+    Mesh::Halfedge_index h = m_mesh.halfedge(face);
+    for(std::uint64_t& v : result)
+    {
+      v = m_numbering.vertex_of(m_mesh.source(h));
+      h = m_mesh.next(h);
+    }
+    return result;
   }
 
   Location read_location(const Json& location, Mesh::Face_index face, Mesh::Vertex_index pivot) const
@@ -169,7 +221,14 @@ private:
     const double sum_tolerance = 0.2;
     if(*std::min_element(b.begin(), b.end()) < -zero_tolerance || !(std::abs(b[0] + b[1] + b[2] - 1) < sum_tolerance))
       fail("\"barycentric\" is no point of a face: a number is negative, or the sum is not 1");
-    if(m_is_turned[face])
+    if(m_numbering.is_piece_of_polygon(face))
+    {
+      const Corners given = read_corners(location, m_numbering.face_of(face)), own = corners_of(face);
+      const Barycentric in_given_order = b;
+      for(std::size_t i = 0; i < 3; ++i)
+        b[i] = in_given_order[static_cast<std::size_t>(std::find(given.begin(), given.end(), own[i]) - given.begin())];
+    }
+    else if(m_numbering.is_turned_round(face))
       std::swap(b[1], b[2]);
     return pivot == Mesh::null_vertex() ? location_on_edge(face, b) : location_at_vertex(face, b, pivot);
   }
@@ -189,7 +248,8 @@ private:
     const std::size_t corner = static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin());
     const Mesh::Vertex_index v = m_mesh.source(halfedge_from_corner(face, corner));
     const bool is_at_corner = b[(corner + 1) % 3] < zero_tolerance && b[(corner + 2) % 3] < zero_tolerance;
-    const bool is_same = pivot == v || (m_mesh.is_removed(pivot) && m_mesh.point(pivot) == m_mesh.point(v));
+    const Index of_file = m_numbering.vertex_of(v);
+    const bool is_same = pivot.idx() == of_file || m_numbering.stand_in_of(pivot.idx()) == of_file;
     if(!is_at_corner || !is_same)
       fail("the pivot is vertex " + std::to_string(pivot.idx()) + ", the location another place");
     return location_at(v);
@@ -227,6 +287,8 @@ private:
       for(const Mesh::Halfedge_index crossed : {h, m_mesh.next(h)})
       {
         const Mesh::Halfedge_index o = m_mesh.opposite(crossed);
+        if(m_mesh.is_border(o))
+          continue;
         if(pivots[following] != Mesh::null_vertex() ? m_mesh.target(m_mesh.next(o)) == locations[following].vertex
                                                     : m_mesh.face(o) == faces[following])
           locations[i] = {false, Mesh::null_vertex(), crossed, m_mesh.source(crossed) == v ? 0. : 1.};
@@ -238,6 +300,8 @@ private:
   // boundary at p.
   bool is_beyond(const Location& p, Mesh::Halfedge_index h) const
   {
+    if(m_mesh.is_border(h))
+      return false;
     if(p.is_pivot)
       return m_mesh.target(m_mesh.next(h)) == p.vertex;
     const Mesh::Edge_index e = m_mesh.edge(p.halfedge);
@@ -279,16 +343,17 @@ private:
 
   const Input_file& m_file;
   const Mesh& m_mesh;
-  const std::vector<bool>& m_is_turned;
+  const File_numbering& m_numbering;
+  std::vector<std::size_t> m_first_triangle; // by face of the file; its triangles follow each other
   std::string m_place;
 };
 
 } // namespace
 
-Curves read_curves_file(const std::string& name, const Mesh& mesh, const std::vector<bool>& is_turned)
+Curves read_curves_file(const std::string& name, const Mesh& mesh, const File_numbering& numbering)
 {
   const Input_file file = read_input_file(name);
-  return Curve_reader(file, mesh, is_turned).read(parse(file));
+  return Curve_reader(file, mesh, numbering).read(parse(file));
 }
 
 } // namespace constrictions

@@ -21,11 +21,12 @@ struct Curves
 
 /// reads closed curves from the JSON object that `report_as_json()` writes. Of each member of "constrictions" it takes
 /// - "locations": a point each, the number of a face and barycentric coordinates in the order of its corners in the
-///   file of the mesh. One coordinate is zero, and the curve crosses the edge where it is, or two are, and the curve
+///   file of the mesh, or, for a face that is no triangle there, of the vertices in "triangle". One coordinate is zero, and the curve crosses the edge where it is, or two are, and the curve
 ///   passes through a vertex. A coordinate is zero if it is exactly 0; if none is, the smallest, if it is below 1e-9.
 /// - "pivots": the points that are vertices. A point at a vertex that is not among them is a crossing beside it, if
-///   the face of the next point lies across an edge there. At a seam of doubled vertices any of them may be named. If
-///   the member is missing all points at vertices are pivots.
+///   the face of the next point lies across an edge there. At a seam of doubled vertices any of them may be named;
+///   copies of a vertex that was split are called as in the file. If the member is missing all points at vertices are
+///   pivots.
 /// - "id", which may be missing: then it is the curve's place, counted from 0.
 ///
 /// Which of its two faces an edge is crossed from follows from the neighbouring points, or, where these leave a doubt,
@@ -34,11 +35,11 @@ struct Curves
 ///
 /// \param name the file
 /// \param mesh what the curves lie on
-/// \param is_turned the faces whose corners have another order in the file of the mesh, see `read_mesh_file()`
+/// \param numbering how its elements are called in its file
 ///
 /// Throws `Input_file_error`, with the id of the curve and the number of the point, for anything else. Whether
 /// consecutive points fit together is not checked: that is for the certificate to say.
-Curves read_curves_file(const std::string& name, const Mesh& mesh, const std::vector<bool>& is_turned);
+Curves read_curves_file(const std::string& name, const Mesh& mesh, const File_numbering& numbering);
 
 } // namespace constrictions
 

@@ -15,6 +15,24 @@ Input_file_error::Input_file_error(const std::string& file, const std::string& r
   : std::runtime_error(printable(file) + ": " + reason)
 {}
 
+namespace {
+
+void read_to_end(std::FILE& in, std::size_t announced_size, Input_file& file)
+{
+  std::size_t filled = 0, got = 0;
+  do {
+    // one byte more than the announced size, so that the end of the file is seen by the first read
+    file.content.resize(filled == 0 ? announced_size + 1 : filled + (std::size_t(1) << 20));
+    got = std::fread(file.content.data() + filled, 1, file.content.size() - filled, &in);
+    filled += got;
+  } while(filled == file.content.size());
+  if(std::ferror(&in))
+    file.fail("cannot be read: " + error_text(errno));
+  file.content.resize(filled);
+}
+
+} // namespace
+
 Input_file read_input_file(const std::string& name)
 {
   Input_file file{name, std::string()};
@@ -33,17 +51,14 @@ Input_file read_input_file(const std::string& name)
     file.fail("cannot be opened: " + error_text(errno));
 
   const std::uintmax_t size = is_regular_file(status) ? std::filesystem::file_size(name, error) : 0;
-  const std::size_t chunk = error ? 0 : static_cast<std::size_t>(size);
-  std::size_t filled = 0, got = 0;
-  do {
-    // one byte more than the announced size, so that the end of the file is seen by the first read
-    file.content.resize(filled == 0 ? chunk + 1 : filled + (std::size_t(1) << 20));
-    got = std::fread(file.content.data() + filled, 1, file.content.size() - filled, in.get());
-    filled += got;
-  } while(filled == file.content.size());
-  if(std::ferror(in.get()))
-    file.fail("cannot be read: " + error_text(errno));
-  file.content.resize(filled);
+  read_to_end(*in, error ? 0 : static_cast<std::size_t>(size), file);
+  return file;
+}
+
+Input_file read_standard_input()
+{
+  Input_file file{"-", std::string()};
+  read_to_end(*stdin, 0, file);
   return file;
 }
 

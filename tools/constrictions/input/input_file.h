@@ -29,6 +29,9 @@ struct Input_file
 /// reads a whole file. Throws `Input_file_error` for a folder, a device, and a file that cannot be read.
 Input_file read_input_file(const std::string& name);
 
+/// reads the standard input to its end. Its name is "-".
+Input_file read_standard_input();
+
 /// what the system says of a value of `errno`
 std::string error_text(int error);
 

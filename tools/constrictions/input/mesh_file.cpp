@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input/mesh_file.h"
 
+#include "input/find_border.h"
+#include "input/inflate.h"
 #include "input/input_file.h"
+#include "input/polygon_soup.h"
 #include "input/repair_soup.h"
 #include "input/text_scanner.h"
-#include "input/triangle_soup.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_table.h>
@@ -14,14 +16,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <filesystem>
-#include <iterator>
-#include <map>
-#include <string>
+#include <optional>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace constrictions {
 
@@ -55,33 +53,75 @@ bool is_binary_stl(const std::string& content)
 
 bool is_obj_keyword(std::string_view word)
 {
-  const std::array<std::string_view, 8> keywords = {"v", "vn", "vt", "f", "o", "g", "mtllib", "usemtl"};
+  const std::array<std::string_view, 16> keywords = {"v",  "vn", "vt", "vp", "f",  "fo",     "o",      "g",
+                                                     "s",  "l",  "p",  "mg", "mtllib", "usemtl", "V", "call"};
   return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
 }
 
-Triangle_soup read_triangle_soup(const Input_file& file)
+// Windows writes text as UTF-16 here and there. What is not of ASCII there does not matter for a mesh.
+void to_bytes(std::string& content)
 {
-  const std::string extension = lower_case(std::filesystem::path(file.name).extension().string());
+  const bool is_little = starts_with(content, "\xFF\xFE"), is_big = starts_with(content, "\xFE\xFF");
+  if(!is_little && !is_big)
+    return;
+  std::string result;
+  for(std::size_t i = 2; i + 1 < content.size(); i += 2)
+    result += content[i + (is_big ? 0 : 1)] == 0 ? content[i + (is_big ? 1 : 0)] : '?';
+  content = std::move(result);
+}
+
+std::string extension_of(const std::string& name)
+{
+  std::filesystem::path path(name);
+  if(lower_case(path.extension().string()) == ".gz")
+    path = path.stem();
+  return lower_case(path.extension().string());
+}
+
+// Lines of three numbers or more, and nothing else, as far as can be told from the beginning.
+bool is_list_of_points(const Input_file& file)
+{
+  Text_scanner scanner(file);
+  std::size_t lines = 0;
+  for(const std::size_t looked_at = 20; lines < looked_at && scanner.next_line(); ++lines, scanner.skip_line())
+  {
+    double x = 0;
+    for(int i = 0; i < 3; ++i)
+      if(!scanner.read(x))
+        return false;
+  }
+  return lines > 0;
+}
+
+[[noreturn]] void fail_as_point_cloud(const Input_file& file, const std::string& points)
+{
+  file.fail("a point cloud: " + points + ", but no faces; a surface has to be reconstructed first");
+}
+
+Polygon_soup read_format(const Input_file& file)
+{
+  const std::string extension = extension_of(file.name);
   Text_scanner scanner(file);
   std::string_view word;
   if(scanner.next_line())
     word = scanner.word();
-  const bool ends_in_off = word.size() >= 3 && word.size() <= 8 && word.substr(word.size() - 3) == "OFF";
 
   if(word == "ply" && starts_with(file.content, "ply"))
     return read_ply(file);
-  if(ends_in_off)
+  if(is_off_keyword(word))
     return read_off(file);
   if(is_obj_keyword(word))
     return read_obj(file);
   if(is_binary_stl(file.content))
     return read_binary_stl(file);
-  if(lower_case(std::string(word)) == "solid")
+  if(lower_case(std::string(word)) == "solid" || lower_case(std::string(word)) == "facet")
     return read_ascii_stl(file);
 
   // not what it should be: the reader says what it misses
   if(extension == ".off")
     return read_off(file);
+  if(is_list_of_points(file))
+    fail_as_point_cloud(file, "lines of numbers");
   if(extension == ".obj")
     return read_obj(file);
   if(extension == ".stl")
@@ -91,124 +131,88 @@ Triangle_soup read_triangle_soup(const Input_file& file)
   file.fail("neither an OFF, OBJ, PLY nor STL file");
 }
 
-using CGAL::Surface_mesh_constrictions::Input_defect;
 using CGAL::Surface_mesh_constrictions::Invalid_input;
+using CGAL::Surface_mesh_constrictions::null_index;
 using CGAL::Surface_mesh_constrictions::internal::Corner_table;
+using CGAL::Surface_mesh_constrictions::internal::check_points;
 using CGAL::Surface_mesh_constrictions::internal::make_corner_table;
 
-// Whether an edge has more than two faces.
-bool has_crowded_edge(const Triangle_soup& soup)
+// Nothing if anything is to be repaired, or open.
+std::optional<Corner_table> connect_as_it_is(const Polygon_soup& soup)
 {
-  std::map<std::pair<Index, Index>, int> faces;
-  for(std::size_t i = 0; i < soup.corners.size(); ++i)
-  {
-    const Index u = soup.corners[i], v = soup.corners[i % 3 == 2 ? i - 2 : i + 1];
-    if(++faces[{(std::min)(u, v), (std::max)(u, v)}] > 2)
-      return true;
-  }
-  return false;
-}
-
-// Faces whose only fault is their orientation are turned, the numbers of those go to `turned`.
-Corner_table connect_turning_faces(Triangle_soup& soup, bool with_border, std::vector<Index>& turned)
-{
+  if(!soup.is_triangular())
+    return std::nullopt;
   try
   {
-    return make_corner_table(soup.points.size(), soup.corners, with_border);
+    Corner_table table = make_corner_table(soup.points.size(), soup.corners);
+    check_points(table, soup.points);
+    const bool is_closed =
+        table.halfedges.size() == soup.corners.size() &&
+        std::none_of(table.halfedges.begin(), table.halfedges.end(),
+                     [](const Corner_table::Halfedge& h) { return h.opposite == null_index; });
+    return is_closed ? std::optional<Corner_table>(std::move(table)) : std::nullopt;
   }
-  catch(const Invalid_input& e)
+  catch(const Invalid_input&)
   {
-    if(e.defect() != Input_defect::INCONSISTENT_ORIENTATION)
-      throw;
-    turned = orient_soup(soup);
-    if(turned.empty() && !has_crowded_edge(soup))
-      throw Invalid_input(Input_defect::INCONSISTENT_ORIENTATION, e.element(),
-                          "the surface cannot be oriented, as a Moebius strip cannot: whichever faces are turned, two "
-                          "run along their common edge in the same direction; one of these is face " +
-                              std::to_string(e.element()));
-    if(turned.empty())
-      throw;
+    return std::nullopt;
   }
-  return make_corner_table(soup.points.size(), soup.corners, with_border);
-}
-
-bool has_nan(const Triangle_soup& soup)
-{
-  return std::any_of(soup.points.begin(), soup.points.end(), [](const Point& p) {
-    return std::isnan(p.x()) || std::isnan(p.y()) || std::isnan(p.z());
-  });
-}
-
-// Turns some faces once more, of which some have been turned: both ascending.
-void turn(const std::vector<Index>& again, std::vector<Index>& turned)
-{
-  std::vector<Index> result;
-  std::set_symmetric_difference(turned.begin(), turned.end(), again.begin(), again.end(), std::back_inserter(result));
-  turned.swap(result);
-}
-
-// As above; and if the surface is open along seams, where vertices have been doubled, they are closed, unless what comes
-// of that is no surface. Other holes stay.
-Corner_table connect(Triangle_soup& soup, std::vector<Index>& turned)
-{
-  try
-  {
-    return connect_turning_faces(soup, false, turned);
-  }
-  catch(const Invalid_input& e)
-  {
-    if(e.defect() != Input_defect::NOT_CLOSED)
-      throw;
-  }
-  Triangle_soup closed = soup;
-  if(!has_nan(soup) && close_seams(closed))
-    try
-    {
-      std::vector<Index> again;
-      const Corner_table table = connect_turning_faces(closed, true, again);
-      soup = std::move(closed);
-      turn(again, turned);
-      return table;
-    }
-    catch(const Invalid_input&)
-    {
-    }
-  std::vector<Index> again;
-  const Corner_table table = connect_turning_faces(soup, true, again);
-  turn(again, turned);
-  return table;
 }
 
 } // namespace
 
-Mesh read_mesh_file(const std::string& name, std::vector<bool>& is_turned)
+Mesh read_mesh_file(const std::string& name, const Reading& reading, File_record& record)
 {
   using namespace CGAL::Surface_mesh_constrictions;
 
-  Input_file file = read_input_file(name);
+  Input_file file = name == "-" ? read_standard_input() : read_input_file(name);
+  inflate(file);
   const std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if(starts_with(file.content, byte_order_mark))
     file.content.erase(0, byte_order_mark.size());
+  to_bytes(file.content);
   if(file.content.empty())
     file.fail("the file is empty");
 
-  Triangle_soup soup = read_triangle_soup(file);
+  const Polygon_soup soup = read_format(file);
+  if(soup.number_of_faces() == 0 && !soup.points.empty())
+    fail_as_point_cloud(file, std::to_string(soup.points.size()) + " points");
   std::string().swap(file.content); // before the mesh needs memory
-  std::vector<Index> turned;
-  const Corner_table table = connect(soup, turned);
-  internal::check_points(table, soup.points);
+
+  record = File_record();
   Mesh mesh;
-  internal::mesh_from_corner_table(table, soup.points, mesh);
-  is_turned.assign(mesh.number_of_faces(), false);
-  for(Index f : turned)
-    is_turned[f] = true;
+  if(reading.merging_distance == 0)
+    if(const std::optional<Corner_table> table = connect_as_it_is(soup))
+    {
+      internal::mesh_from_corner_table(*table, soup.points, mesh);
+      record.numbering.vertices = soup.points.size();
+      record.numbering.faces = soup.number_of_faces();
+      return mesh;
+    }
+  if(soup.number_of_faces() == 0)
+    throw Invalid_input(Input_defect::EMPTY_MESH, 0, "empty mesh: it has no face");
+  Repaired_soup repaired = repair_soup(soup, reading.merging_distance, record.findings);
+  internal::mesh_from_corner_table(repaired.table, repaired.points, mesh);
+  record.numbering = std::move(repaired.numbering);
+  find_border(mesh, record.numbering, record.findings);
+  if(reading.is_strict)
+    refuse_repairs(record.findings);
+  refuse_cracks(record.findings);
   return mesh;
+}
+
+Invalid_input with_hint(const Invalid_input& refusal, const File_record& record)
+{
+  const std::string hint = summary_of(record.findings);
+  if(refusal.defect() != CGAL::Surface_mesh_constrictions::Input_defect::NOT_CLOSED || hint.empty() ||
+     std::string_view(refusal.what()).find("--merge") != std::string_view::npos)
+    return refusal;
+  return Invalid_input(refusal.defect(), refusal.element(), std::string(refusal.what()) + " (" + hint + ")");
 }
 
 Mesh read_mesh_file(const std::string& name)
 {
-  std::vector<bool> is_turned;
-  return read_mesh_file(name, is_turned);
+  File_record record;
+  return read_mesh_file(name, Reading(), record);
 }
 
 } // namespace constrictions

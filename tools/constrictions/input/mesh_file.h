@@ -2,6 +2,9 @@
 #ifndef CONSTRICTIONS_MESH_FILE_H
 #define CONSTRICTIONS_MESH_FILE_H
 
+#include "input/file_numbering.h"
+#include "input/mesh_findings.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -12,19 +15,40 @@ namespace constrictions {
 
 typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Mesh;
 
-/// reads a triangle mesh from an OFF, OBJ, PLY or STL file, told apart by their content and, where that leaves
-/// a doubt, by the extension. Vertices and faces have the numbers of the file, and the halfedge of a face starts at
-/// its first corner. A vertex on no face keeps its number, but is marked as removed. If the faces are not oriented
-/// consistently, but can be, some are turned round. If the surface is open along seams of doubled vertices, the first of
-/// the vertices at one position stands for all; other holes stay as they are.
-///
-/// Throws `Input_file_error` for a file that cannot be read, and `Invalid_input` for a mesh that is not an orientable
-/// 2-manifold of triangles, with or without boundary, or has a position that is not finite or an edge of length zero.
-Mesh read_mesh_file(const std::string& name);
+/// How a mesh file is taken.
+struct Reading
+{
+  bool is_strict = false;      ///< refuse what would have to be repaired
+  double merging_distance = 0; ///< merge vertices that are nearer to each other
+};
 
-/// as above. `is_turned` gets for each face whether it was turned round: its corners are then those of the file in the
-/// order 0, 2, 1.
-Mesh read_mesh_file(const std::string& name, std::vector<bool>& is_turned);
+/// What the program remembers of a mesh file.
+struct File_record
+{
+  File_numbering numbering;
+  Mesh_findings findings;
+};
+
+/// reads a mesh from an OFF, OBJ, PLY or STL file, which may be gzipped, or from the standard input if the name is "-".
+/// The formats are told apart by the content and, where that leaves a doubt, by the extension.
+///
+/// If the file holds a closed, oriented triangle mesh, vertices and faces have the numbers of the file, and the halfedge
+/// of a face starts at its first corner. A vertex on no face keeps its number, but is marked as removed. Anything else
+/// is made a triangle mesh as `repair_soup()` says, which may have holes, and `record` tells what was done, and how its
+/// elements are called in the file.
+///
+/// Throws `Input_file_error` for a file that cannot be read or is a point cloud, and `Invalid_input` for what no mesh can
+/// be made of: an index or position that cannot be used, no face, a surface that cannot be oriented, a border that is
+/// mostly cracks. With `is_strict` it throws for all that is repaired, but for faces turned round and seams closed.
+Mesh read_mesh_file(const std::string& name, const Reading& reading, File_record& record);
+
+/// what a computation throws about a mesh that was read, with what is known of the mesh: of an open one how many holes and
+/// border edges it has, and whether vertices near to each other make them
+CGAL::Surface_mesh_constrictions::Invalid_input with_hint(
+    const CGAL::Surface_mesh_constrictions::Invalid_input& refusal, const File_record& record);
+
+/// as above, with repairs, when nobody wants to know
+Mesh read_mesh_file(const std::string& name);
 
 } // namespace constrictions
 

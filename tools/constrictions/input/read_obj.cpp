@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "input/polygon_soup.h"
 #include "input/text_scanner.h"
-#include "input/triangle_soup.h"
 
 #include <string>
 #include <string_view>
@@ -17,6 +17,11 @@ std::string_view next_word(Text_scanner& scanner)
   {
     scanner.skip_line();
     word = scanner.word();
+  }
+  if(!word.empty() && word.back() == '\\')
+  {
+    word.remove_suffix(1);
+    scanner.skip_line();
   }
   return word;
 }
@@ -43,39 +48,39 @@ long long read_corner(Text_scanner& scanner, std::string_view word, std::size_t 
 
 } // namespace
 
-Triangle_soup read_obj(const Input_file& file)
+Polygon_soup read_obj(const Input_file& file)
 {
   using namespace CGAL::Surface_mesh_constrictions;
 
-  Triangle_soup soup;
+  Polygon_soup soup;
   Text_scanner scanner(file);
   while(scanner.next_line())
   {
     const std::string_view keyword = scanner.word();
-    if(keyword == "v")
+    if(keyword == "v" || keyword == "V")
     {
       const std::size_t v = soup.points.size();
       const double x = read_coordinate(scanner, v), y = read_coordinate(scanner, v), z = read_coordinate(scanner, v);
       soup.points.emplace_back(x, y, z);
     }
-    else if(keyword == "f")
+    else if(keyword == "f" || keyword == "F" || keyword == "fo") // as it was called before version 3
     {
       const std::size_t f = soup.number_of_faces();
-      unsigned long long n = 0;
       for(std::string_view word = next_word(scanner); !word.empty() && word[0] != '#'; word = next_word(scanner))
       {
         // a vertex may follow the face that names it, so only what can never be right is refused here
         const long long v = read_corner(scanner, word, f, soup.points.size());
-        if(++n <= 3)
-          soup.corners.push_back(v < 0 ? checked_index(f, v, soup.points.size()) : checked_index(f, v, null_index));
+        soup.corners.push_back(v < 0 ? checked_index(f, v, soup.points.size()) : checked_index(f, v, null_index));
       }
-      if(n != 3)
-        throw_not_triangular(f, n);
+      soup.end_face();
     }
     scanner.skip_line();
   }
   if(soup.points.empty())
     file.fail("not an OBJ file, or one without vertices");
+  for(std::size_t f = 0, c = 0; f < soup.number_of_faces(); ++f)
+    for(; c < soup.begin(f + 1); ++c)
+      checked_index(f, soup.corners[c], soup.points.size());
   return soup;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "input/byte_reader.h"
+#include "input/polygon_soup.h"
 #include "input/text_scanner.h"
-#include "input/triangle_soup.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -129,8 +130,9 @@ Header read_header(Text_scanner& scanner)
 class Body
 {
 public:
-  Body(const Input_file& file, const Text_scanner& scanner, Encoding encoding)
-    : m_file(file), m_scanner(scanner), m_pos(scanner.offset()), m_encoding(encoding)
+  // in_lines: whether each element of a text has a line of its own, and what follows its values there does not matter
+  Body(const Input_file& file, const Text_scanner& scanner, Encoding encoding, bool in_lines)
+    : m_file(file), m_scanner(scanner), m_pos(scanner.offset()), m_encoding(encoding), m_in_lines(in_lines)
   {}
 
   // Each begin() is followed by the values of one element.
@@ -144,7 +146,7 @@ public:
 
   void end()
   {
-    if(m_encoding == Encoding::ASCII)
+    if(m_encoding == Encoding::ASCII && m_in_lines)
       m_scanner.skip_line();
   }
 
@@ -153,7 +155,7 @@ public:
     if(m_encoding == Encoding::ASCII)
     {
       double value = 0;
-      if(!m_scanner.read(value))
+      if(!Text_scanner::parse(m_in_lines ? m_scanner.word() : m_scanner.word_of_text(), value))
         m_scanner.fail_at_word(m_element->name + " " + std::to_string(m_i), "a number");
       return value;
     }
@@ -194,16 +196,9 @@ private:
   {
     if(remaining() < sizeof(T))
       fail_at_end();
-    std::array<char, sizeof(T)> bytes;
-    std::memcpy(bytes.data(), m_file.content.data() + m_pos, sizeof(T));
     m_pos += sizeof(T);
-    const std::uint16_t one = 1;
-    const bool host_is_little_endian = reinterpret_cast<const unsigned char&>(one) == 1;
-    if(host_is_little_endian != (m_encoding == Encoding::LITTLE_ENDIAN_BINARY))
-      std::reverse(bytes.begin(), bytes.end());
-    T value;
-    std::memcpy(&value, bytes.data(), sizeof(T));
-    return value;
+    return number_from_bytes<T>(m_file.content.data() + m_pos - sizeof(T),
+                                m_encoding == Encoding::LITTLE_ENDIAN_BINARY);
   }
 
   [[noreturn]] void fail_at_end() const
@@ -216,11 +211,12 @@ private:
   Text_scanner m_scanner;
   std::size_t m_pos;
   Encoding m_encoding;
+  bool m_in_lines;
   const Element* m_element = nullptr;
   std::size_t m_i = 0;
 };
 
-void read_vertices(Body& body, const Element& element, Triangle_soup& soup)
+void read_vertices(Body& body, const Element& element, Polygon_soup& soup)
 {
   const std::size_t n = element.properties.size();
   std::vector<int> coordinate(n, -1);
@@ -243,67 +239,109 @@ void read_vertices(Body& body, const Element& element, Triangle_soup& soup)
   }
 }
 
-void read_faces(Body& body, const Element& element, std::size_t corners, std::size_t number_of_vertices,
-                Triangle_soup& soup)
+// The number of a vertex. Programs that run out of small signed numbers go on with those below zero.
+long long read_vertex_number(Body& body, Type type, std::size_t number_of_vertices)
 {
-  soup.corners.reserve(3 * (std::min)(element.count, body.remaining() / 4 + 1));
-  for(std::size_t f = 0; f < element.count; ++f)
+  const long long v = body.read_integer(type);
+  const long long wrapped = v + (type == Type::INT8 ? 1ll << 8 : type == Type::INT16 ? 1ll << 16 : 0);
+  return v < 0 && wrapped < static_cast<long long>(number_of_vertices) ? wrapped : v;
+}
+
+// Calls f with the lists of each element, once for each.
+template <class F>
+void for_each_list(Body& body, const Element& element, std::size_t list, F f)
+{
+  for(std::size_t e = 0; e < element.count; ++e)
   {
-    body.begin(element, f);
+    body.begin(element, e);
     for(std::size_t i = 0; i < element.properties.size(); ++i)
-    {
-      const Property& property = element.properties[i];
-      if(i != corners)
-      {
-        body.skip(property);
-        continue;
-      }
-      const long long n = body.read_integer(property.count_type);
-      if(n != 3)
-        throw_not_triangular(f, static_cast<unsigned long long>(n < 0 ? 0 : n));
-      for(int j = 0; j < 3; ++j)
-        soup.corners.push_back(checked_index(f, body.read_integer(property.type), number_of_vertices));
-    }
+      if(i == list)
+        f(element.properties[i], body.read_integer(element.properties[i].count_type));
+      else
+        body.skip(element.properties[i]);
     body.end();
   }
 }
 
-// The first element of this name, which the file must have.
-const Element& find_element(const Header& header, std::string_view name, const Input_file& file)
+void read_faces(Body& body, const Element& element, std::size_t corners, std::size_t number_of_vertices,
+                Polygon_soup& soup)
+{
+  soup.corners.reserve(3 * (std::min)(element.count, body.remaining() / 4 + 1));
+  for_each_list(body, element, corners, [&](const Property& property, long long n) {
+    for(long long i = 0; i < n; ++i)
+      soup.corners.push_back(checked_index(soup.number_of_faces(),
+                                           read_vertex_number(body, property.type, number_of_vertices),
+                                           number_of_vertices));
+    soup.end_face();
+  });
+}
+
+// Of a strip each vertex from the third on makes a triangle with the two before it, in turn of one orientation and of
+// the other. -1 begins a new strip. Triangles with a vertex twice, with which strips are led on, are passed over.
+void read_strips(Body& body, const Element& element, std::size_t corners, std::size_t number_of_vertices,
+                 Polygon_soup& soup)
+{
+  for_each_list(body, element, corners, [&](const Property& property, long long n) {
+    std::size_t in_strip = 0;
+    Index before = 0, last = 0;
+    for(long long i = 0; i < n; ++i)
+    {
+      const long long number = body.read_integer(property.type);
+      if(number == -1)
+      {
+        in_strip = 0;
+        continue;
+      }
+      const Index v = checked_index(soup.number_of_faces(), number, number_of_vertices);
+      if(++in_strip >= 3 && v != last && v != before && last != before)
+      {
+        const bool is_even = in_strip % 2 == 1;
+        for(Index corner : {is_even ? before : last, is_even ? last : before, v})
+          soup.corners.push_back(corner);
+        soup.end_face();
+      }
+      before = last;
+      last = v;
+    }
+  });
+}
+
+// The first element of this name, or null.
+const Element* find_element(const Header& header, std::string_view name)
 {
   for(const Element& element : header.elements)
     if(element.name == name)
-      return element;
-  file.fail("PLY header: no element is named " + quoted(name));
+      return &element;
+  return nullptr;
 }
 
-} // namespace
-
-Triangle_soup read_ply(const Input_file& file)
+// The list of vertex numbers, or the number of properties.
+std::size_t find_corners(const Element& element)
 {
-  // "comment" lines belong to the header, and the body has none
-  Text_scanner scanner(file, 0, '\n');
-  const Header header = read_header(scanner);
-
-  const Element &vertex = find_element(header, "vertex", file), &face = find_element(header, "face", file);
-  for(std::string_view name : {"x", "y", "z"})
+  for(std::string_view name : {"vertex_indices", "vertex_index"})
   {
-    const std::size_t i = vertex.find(name);
-    if(i == vertex.properties.size() || vertex.properties[i].is_list)
-      file.fail("PLY header: a vertex has no number named " + quoted(name));
+    const std::size_t i = element.find(name);
+    if(i < element.properties.size() && element.properties[i].is_list)
+      return i;
   }
-  const std::size_t corners = (std::min)(face.find("vertex_indices"), face.find("vertex_index"));
-  if(corners == face.properties.size() || !face.properties[corners].is_list)
-    file.fail("PLY header: a face has no list named \"vertex_indices\" or \"vertex_index\"");
+  return element.properties.size();
+}
 
-  Triangle_soup soup;
-  Body body(file, scanner, header.encoding);
+Polygon_soup read_body(const Input_file& file, const Text_scanner& scanner, const Header& header, bool in_lines)
+{
+  const Element* const vertex = find_element(header, "vertex");
+  const Element* const face = find_element(header, "face");
+  const Element* const strips = find_element(header, "tristrips");
+  Polygon_soup soup;
+  Body body(file, scanner, header.encoding, in_lines);
   for(const Element& element : header.elements)
   {
-    if(&element == &vertex)
+    if(&element == vertex)
       read_vertices(body, element, soup);
-    else if(&element == &face)
-      read_faces(body, element, corners, vertex.count, soup);
+    else if(&element == face)
+      read_faces(body, element, find_corners(element), vertex->count, soup);
+    else if(&element == strips)
+      read_strips(body, element, find_corners(element), vertex->count, soup);
     else if(!element.properties.empty())
       for(std::size_t i = 0; i < element.count; ++i)
       {
@@ -314,6 +352,51 @@ Triangle_soup read_ply(const Input_file& file)
       }
   }
   return soup;
+}
+
+} // namespace
+
+Polygon_soup read_ply(const Input_file& file)
+{
+  // "comment" lines belong to the header, and the body has none
+  Text_scanner scanner(file, 0, '\n');
+  const Header header = read_header(scanner);
+  // behind a header of lines that end in "\r" alone a binary "\n" is a number
+  const std::size_t first_end = file.content.find_first_of("\r\n"), begin = scanner.offset();
+  if(header.encoding != Encoding::ASCII && begin >= 2 && file.content.compare(begin - 2, 2, "\r\n") == 0 &&
+     file.content.compare(first_end, 2, "\r\n") != 0)
+    scanner = Text_scanner(file, begin - 1, '\n');
+
+  const Element* const vertex = find_element(header, "vertex");
+  if(vertex == nullptr)
+    file.fail("PLY header: no element is named \"vertex\"");
+  for(std::string_view name : {"x", "y", "z"})
+  {
+    const std::size_t i = vertex->find(name);
+    if(i == vertex->properties.size() || vertex->properties[i].is_list)
+      file.fail("PLY header: a vertex has no number named " + quoted(name));
+  }
+  for(const Element* faces : {find_element(header, "face"), find_element(header, "tristrips")})
+    if(faces != nullptr && faces->count > 0 && find_corners(*faces) == faces->properties.size())
+      file.fail("PLY header: a " + std::string(faces->name == "face" ? "face" : "strip") +
+                " has no list named \"vertex_indices\" or \"vertex_index\"");
+
+  try
+  {
+    return read_body(file, scanner, header, true);
+  }
+  catch(const std::exception&)
+  {
+    if(header.encoding == Encoding::ASCII)
+      try
+      {
+        return read_body(file, scanner, header, false);
+      }
+      catch(const std::exception&)
+      {
+      }
+    throw;
+  }
 }
 
 } // namespace constrictions

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "input/byte_reader.h"
+#include "input/polygon_soup.h"
 #include "input/text_scanner.h"
-#include "input/triangle_soup.h"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +29,7 @@ public:
     m_slots.assign(size, CGAL::Surface_mesh_constrictions::null_index);
   }
 
-  Index operator()(double x, double y, double z, Triangle_soup& soup)
+  Index operator()(double x, double y, double z, Polygon_soup& soup)
   {
     const Point p(x + 0., y + 0., z + 0.); // adding zero turns -0 into +0
     if(2 * soup.points.size() >= m_slots.size())
@@ -54,7 +55,7 @@ private:
   }
 
   // the slot of the point, or the free one where it belongs
-  Index& find(const Point& p, const Triangle_soup& soup)
+  Index& find(const Point& p, const Polygon_soup& soup)
   {
     const Bits b = bits(p);
     std::uint64_t hash = 0;
@@ -70,7 +71,7 @@ private:
     return m_slots[i];
   }
 
-  void grow(const Triangle_soup& soup)
+  void grow(const Polygon_soup& soup)
   {
     m_slots.assign(2 * m_slots.size(), CGAL::Surface_mesh_constrictions::null_index);
     for(std::size_t v = 0; v < soup.points.size(); ++v)
@@ -88,29 +89,16 @@ bool is_keyword(std::string_view word, std::string_view keyword)
                     [](char c, char lower) { return (c | 0x20) == lower; });
 }
 
-template <class T>
-T little_endian(const char* bytes)
-{
-  std::uint32_t bits = 0;
-  for(int i = 3; i >= 0; --i)
-    bits = bits << 8 | static_cast<unsigned char>(bytes[i]);
-  T value;
-  std::memcpy(&value, &bits, sizeof(value));
-  return value;
-}
-
-} // namespace
-
-Triangle_soup read_ascii_stl(const Input_file& file)
+// A statement a line, as the format says. Words behind those that it has, and lines with other keywords where a facet
+// could begin ("color"), are passed over; a file may end without "endsolid" where a facet has ended.
+Polygon_soup read_lines(const Input_file& file)
 {
   const std::size_t bytes_per_face = 250; // about
-  Triangle_soup soup;
+  Polygon_soup soup;
   Vertex_numbering number(file.content.size() / bytes_per_face);
   Text_scanner scanner(file);
-  bool in_solid = false, in_face = false;
-  std::size_t face = 0;
-  unsigned long long corners = 0; // of the face
-  const auto face_name = [&face] { return "face " + std::to_string(face); };
+  bool in_face = false;
+  const auto face_name = [&soup] { return "face " + std::to_string(soup.number_of_faces()); };
   while(scanner.next_line())
   {
     const std::string_view word = scanner.word();
@@ -119,59 +107,106 @@ Triangle_soup read_ascii_stl(const Input_file& file)
       double x, y, z;
       if(!scanner.read(x) || !scanner.read(y) || !scanner.read(z))
         scanner.fail_at_word(face_name(), "a coordinate");
-      if(++corners <= 3)
-        soup.corners.push_back(number(x, y, z, soup));
+      soup.corners.push_back(number(x, y, z, soup));
     }
-    else if(in_face && is_keyword(word, "outer"))
-      scanner.skip_line();
     else if(in_face && is_keyword(word, "endfacet"))
     {
-      if(corners != 3)
-        throw_not_triangular(face, corners);
+      soup.end_face();
       in_face = false;
-      ++face;
     }
-    else if(in_solid && !in_face && is_keyword(word, "facet"))
-    {
-      in_face = true;
-      corners = 0;
-      scanner.skip_line(); // the normal follows from the corners
-    }
-    else if(!in_face && is_keyword(word, in_solid ? "endsolid" : "solid"))
-    {
-      in_solid = !in_solid;
-      scanner.skip_line(); // its name
-    }
-    else if(!in_face || !is_keyword(word, "endloop"))
+    else if(!in_face && is_keyword(word, "facet"))
+      in_face = true; // the normal follows from the corners
+    else if(in_face && !is_keyword(word, "outer") && !is_keyword(word, "endloop"))
       scanner.fail(face_name() + ": unexpected word " + quoted(word));
+    else if(!in_face && (is_keyword(word, "vertex") || is_keyword(word, "endfacet")))
+      scanner.fail(face_name() + ": " + quoted(word) + " without a facet");
+    scanner.skip_line();
   }
-  if(in_solid)
-    scanner.fail("the file ends at " + face_name() + ", before endsolid");
+  if(in_face)
+    scanner.fail("the file ends within " + face_name() + ", before endfacet");
   return soup;
 }
 
-Triangle_soup read_binary_stl(const Input_file& file)
+// Whatever the lines are: three numbers behind each "vertex", and a face ends where it says so.
+Polygon_soup read_words(const Input_file& file)
+{
+  Polygon_soup soup;
+  Vertex_numbering number(16);
+  Text_scanner scanner(file);
+  bool has_ended = true;
+  for(std::string_view word = scanner.word_of_text(); !word.empty(); word = scanner.word_of_text())
+    if(is_keyword(word, "vertex"))
+    {
+      std::array<double, 3> p = {0, 0, 0};
+      for(double& x : p)
+        if(!Text_scanner::parse(scanner.word_of_text(), x))
+          scanner.fail_at_word("face " + std::to_string(soup.number_of_faces()), "a coordinate");
+      soup.corners.push_back(number(p[0], p[1], p[2], soup));
+      has_ended = false;
+    }
+    else if(is_keyword(word, "endfacet"))
+    {
+      soup.end_face();
+      has_ended = true;
+    }
+  if(!has_ended)
+    scanner.fail("the file ends within face " + std::to_string(soup.number_of_faces()) + ", before endfacet");
+  return soup;
+}
+
+} // namespace
+
+Polygon_soup read_ascii_stl(const Input_file& file)
+{
+  try
+  {
+    Polygon_soup soup = read_lines(file);
+    // all in one line may stand behind "solid"
+    return soup.number_of_faces() > 0 ? soup : read_words(file);
+  }
+  catch(const Input_file_error&)
+  {
+    try
+    {
+      return read_words(file);
+    }
+    catch(const Input_file_error&)
+    {
+    }
+    throw;
+  }
+}
+
+Polygon_soup read_binary_stl(const Input_file& file)
 {
   const std::size_t header = 84, bytes_per_face = 50, normal = 12;
   const std::string& content = file.content;
   if(content.size() < header)
     file.fail("not an STL file: too short for the header");
-  const std::size_t nf = little_endian<std::uint32_t>(content.data() + 80);
   const std::size_t complete = (content.size() - header) / bytes_per_face;
+  std::size_t nf = number_from_bytes<std::uint32_t>(content.data() + 80, true);
+  // programs that do not know the number in time write one of these
+  if((nf == 0 || nf == 0xFFFFFFFFu) && complete > 0 && (content.size() - header) % bytes_per_face == 0)
+    nf = complete;
   if(complete < nf)
     file.fail("the file ends at face " + std::to_string(complete) + " of the " + std::to_string(nf) +
               " that its header announces");
 
-  Triangle_soup soup;
+  Polygon_soup soup;
   Vertex_numbering number(nf);
   soup.corners.reserve(3 * nf);
   for(std::size_t f = 0; f < nf; ++f)
+  {
     for(int i = 0; i < 3; ++i)
     {
       const char* corner = content.data() + header + f * bytes_per_face + normal + 12 * i;
-      soup.corners.push_back(number(little_endian<float>(corner), little_endian<float>(corner + 4),
-                                    little_endian<float>(corner + 8), soup));
+      const auto coordinate = [corner](int k) {
+        return static_cast<double>(number_from_bytes<float>(corner + 4 * k, true));
+      };
+      soup.corners.push_back(number(coordinate(0), coordinate(1), coordinate(2), soup));
     }
+    soup.end_face();
+  }
   return soup;
 }
 

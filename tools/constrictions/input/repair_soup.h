@@ -2,20 +2,44 @@
 #ifndef CONSTRICTIONS_REPAIR_SOUP_H
 #define CONSTRICTIONS_REPAIR_SOUP_H
 
-#include "input/triangle_soup.h"
+#include "input/file_numbering.h"
+#include "input/mesh_findings.h"
+#include "input/polygon_soup.h"
+
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_table.h>
 
 #include <vector>
 
 namespace constrictions {
 
-/// turns faces round until any two neighbours have the same orientation. A face that is turned keeps its first corner.
-/// Returns the numbers of the faces that were turned, or nothing if the faces cannot be oriented that way or do not
-/// form a manifold; the soup is unchanged then.
-std::vector<Index> orient_soup(Triangle_soup& soup);
+/// An oriented triangle mesh whose vertices have one fan of faces each. At the border `opposite` is `null_index`.
+struct Repaired_soup
+{
+  std::vector<Point> points; ///< those of the file, and copies where vertices have been split
+  CGAL::Surface_mesh_constrictions::internal::Corner_table table;
+  File_numbering numbering;
+};
 
-/// lets faces use the first of several vertices at the same position; the others keep their numbers, without faces.
-/// Returns whether there were any. Positions must not be NaN.
-bool close_seams(Triangle_soup& soup);
+/// makes a triangle mesh of what a file holds, and tells in `findings` what had to be done for it, in this order:
+/// 1. vertices nearer to each other than `merging_distance`, if that is not 0, are merged, each into the first one near;
+/// 2. edges of length zero are collapsed;
+/// 3. where border edges have the same ends in space, their vertices are merged;
+/// 4. faces with fewer than three different corners, and faces whose corners another one has, are left out. Of a region
+///    whose faces are all there in both orientations one layer is left out if that makes its rim a surface;
+/// 5. polygons are cut into triangles;
+/// 6. triangles without area at edges with more than two faces are left out if that makes no hole;
+/// 7. triangles are turned round, as few as possible;
+/// 8. edges with more than two faces are made several, and vertices with more than one fan of faces too. Of the ways to
+///    pair the faces at an edge the one is taken that keeps solids apart: each face is joined to the next one around the
+///    edge, seen from the inside of the body; if two edges with the same ends would be left, across the outside; and if
+///    that does not help the surface is cut open along the edge;
+/// 9. bodies of two faces with the same corners are left out.
+///
+/// No vertex is moved. Linear but for sorting, and the square of the number of faces at one edge.
+///
+/// Throws `Invalid_input` for a coordinate that is not finite, for a surface that cannot be oriented, if no face is left,
+/// and for an edge with more than two faces that cannot be made several.
+Repaired_soup repair_soup(const Polygon_soup& soup, double merging_distance, Mesh_findings& findings);
 
 } // namespace constrictions
 

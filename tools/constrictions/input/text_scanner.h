@@ -14,8 +14,8 @@
 
 namespace constrictions {
 
-/// Reads words and numbers from a text of lines. A word never goes past the end of its line. Lines end in "\n" or
-/// "\r\n".
+/// Reads words and numbers from a text of lines. A word never goes past the end of its line. Lines end in "\n", "\r\n" or
+/// "\r". A comma behind a word is no part of it, and Ctrl-Z, with which old systems end a text, is a blank.
 class Text_scanner
 {
 public:
@@ -29,14 +29,20 @@ public:
   std::size_t remaining() const { return static_cast<std::size_t>(m_end - m_pos); }
 
   /// the number of the present line, counted from 1; linear in its place in the file.
-  std::size_t line() const { return 1 + static_cast<std::size_t>(std::count(m_begin, m_pos, '\n')); }
+  std::size_t line() const
+  {
+    std::size_t result = 1;
+    for(const char* p = m_begin; p != m_pos; ++p)
+      result += *p == '\n' || (*p == '\r' && (p + 1 == m_end || p[1] != '\n'));
+    return result;
+  }
 
   /// goes to the first word at or after the present place that is no comment; false at the end of the file.
   bool next_line()
   {
     for(;;)
     {
-      while(m_pos != m_end && (is_blank(*m_pos) || *m_pos == '\n'))
+      while(m_pos != m_end && (is_blank(*m_pos) || is_line_end(*m_pos)))
         ++m_pos;
       if(m_pos == m_end)
         return false;
@@ -49,9 +55,11 @@ public:
   /// goes to the beginning of the next line.
   void skip_line()
   {
-    m_pos = std::find(m_pos, m_end, '\n');
-    if(m_pos != m_end)
-      ++m_pos;
+    m_pos = std::find_if(m_pos, m_end, is_line_end);
+    if(m_pos == m_end)
+      return;
+    const bool is_pair = *m_pos == '\r' && m_pos + 1 != m_end && m_pos[1] == '\n';
+    m_pos += is_pair ? 2 : 1;
   }
 
   /// the next word of the line; empty at its end.
@@ -59,10 +67,16 @@ public:
   {
     skip_blanks();
     const char* begin = m_pos;
-    while(m_pos != m_end && !is_blank(*m_pos) && *m_pos != '\n')
+    while(m_pos != m_end && !is_blank(*m_pos) && !is_line_end(*m_pos))
       ++m_pos;
-    return m_word = std::string_view(begin, static_cast<std::size_t>(m_pos - begin));
+    m_word = std::string_view(begin, static_cast<std::size_t>(m_pos - begin));
+    if(m_word.size() > 1 && m_word.back() == ',')
+      m_word.remove_suffix(1);
+    return m_word;
   }
+
+  /// the next word of this line or a later one; empty at the end of the file.
+  std::string_view word_of_text() { return m_word = next_line() ? word() : std::string_view(); }
 
   /// reads a word as a number; false if there is none or it is something else.
   template <class T>
@@ -95,7 +109,8 @@ public:
   }
 
 private:
-  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\x1A'; }
+  static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
   void skip_blanks()
   {
@@ -107,7 +122,9 @@ private:
   static bool parse(const char* begin, const char* end, Integer& value)
   {
     const std::from_chars_result r = std::from_chars(begin, end, value);
-    return r.ec == std::errc() && r.ptr == end;
+    if(r.ec != std::errc() || r.ptr == end || *r.ptr != '.')
+      return r.ec == std::errc() && r.ptr == end;
+    return std::all_of(r.ptr + 1, end, [](char c) { return c == '0'; }); // "3.0"
   }
 
   static bool parse(const char* begin, const char* end, double& value)
@@ -115,12 +132,15 @@ private:
 #ifdef __cpp_lib_to_chars
     // several times as fast as strtod, which remains for numbers too large or too small for a double
     const std::from_chars_result r = std::from_chars(begin, end, value);
-    if(r.ec != std::errc::result_out_of_range)
-      return r.ec == std::errc() && r.ptr == end;
+    if(r.ec == std::errc() && r.ptr == end)
+      return true;
 #endif
     if(begin == end)
       return false;
-    const std::string word(begin, end);
+    std::string word(begin, end);
+    const std::size_t exponent = word.find_first_of("dD"); // as Fortran writes it
+    if(exponent != std::string::npos && exponent > 0 && word.find_first_not_of("0123456789+-.dD") == std::string::npos)
+      word[exponent] = 'e';
     char* parsed = nullptr;
     value = std::strtod(word.c_str(), &parsed);
     return parsed == word.c_str() + word.size();

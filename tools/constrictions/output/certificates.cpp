@@ -22,7 +22,7 @@ std::string certificates_as_lines(const std::vector<Certified_curve>& curves)
   return out.str();
 }
 
-std::string certificates_as_json(const std::string& mesh_file, const Mesh& mesh,
+std::string certificates_as_json(const std::string& mesh_file, const File_numbering& numbering,
                                  const std::vector<Certified_curve>& curves)
 {
   typedef nlohmann::ordered_json Json;
@@ -31,7 +31,7 @@ std::string certificates_as_json(const std::string& mesh_file, const Mesh& mesh,
     certificates.push_back({{"id", c.id}, {"verdict", certificate_as_text(c.certificate)}, {"length", c.length}});
   const Json json = {
       {"format", "constrictions-certificates/1"},
-      {"mesh", {{"file", mesh_file}, {"vertices", mesh.num_vertices()}, {"faces", mesh.number_of_faces()}}},
+      {"mesh", {{"file", mesh_file}, {"vertices", numbering.vertices}, {"faces", numbering.faces}}},
       {"certificates", certificates}};
   // a file name need not be UTF-8, JSON must be
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -29,7 +29,7 @@ std::string certificate_as_text(const Certificate& certificate);
 std::string certificates_as_lines(const std::vector<Certified_curve>& curves);
 
 /// the certificates in the format "constrictions-certificates/1", in one line
-std::string certificates_as_json(const std::string& mesh_file, const Mesh& mesh,
+std::string certificates_as_json(const std::string& mesh_file, const File_numbering& numbering,
                                  const std::vector<Certified_curve>& curves);
 
 } // namespace constrictions

@@ -11,30 +11,38 @@
 namespace constrictions {
 
 // Vertices on no face are counted, as they have numbers, but do not belong to the surface that has a genus: that of the
-// surface with its holes filled.
-nlohmann::ordered_json mesh_as_json(const std::string& file, const Mesh& mesh)
+// surface whose holes are filled.
+nlohmann::ordered_json mesh_as_json(const std::string& file, const Mesh& mesh, const File_record& record)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   std::vector<std::size_t> component(mesh.num_faces());
   const std::size_t components = PMP::connected_components(mesh, CGAL::make_property_map(component));
+  const std::size_t holes = record.findings.count(Finding::HOLES);
   const std::int64_t euler_characteristic = std::int64_t(mesh.number_of_vertices()) -
-                                            std::int64_t(mesh.number_of_edges()) + std::int64_t(mesh.number_of_faces());
-  std::int64_t holes = 0;
-  std::vector<bool> is_seen(mesh.num_halfedges(), false);
-  for(Mesh::Halfedge_index border : mesh.halfedges())
-    if(mesh.is_border(border) && !is_seen[border])
-    {
-      ++holes;
-      for(Mesh::Halfedge_index h : mesh.halfedges_around_face(border))
-        is_seen[h] = true;
-    }
+                                            std::int64_t(mesh.number_of_edges()) +
+                                            std::int64_t(mesh.number_of_faces()) + std::int64_t(holes);
   return {{"file", file},
-          {"vertices", mesh.num_vertices()},
-          {"faces", mesh.number_of_faces()},
+          {"vertices", record.numbering.vertices},
+          {"faces", record.numbering.faces},
+          {"triangles", mesh.number_of_faces()},
           {"components", components},
-          {"genus", std::int64_t(components) - (euler_characteristic + holes) / 2},
+          {"genus", std::int64_t(components) - euler_characteristic / 2},
           {"holes", holes},
-          {"area", PMP::area(mesh)}};
+          {"border_edges", record.findings.count(Finding::BORDER_EDGES)},
+          {"area", PMP::area(mesh)},
+          {"repairs", repairs_as_json(record.findings)}};
+}
+
+nlohmann::ordered_json repairs_as_json(const Mesh_findings& findings)
+{
+  nlohmann::ordered_json result = nlohmann::ordered_json::object();
+  for(std::size_t i = 0; i < number_of_findings; ++i)
+  {
+    const Finding finding = static_cast<Finding>(i);
+    if(is_repair(finding) && findings.count(finding) > 0)
+      result[name_of(finding)] = findings.count(finding);
+  }
+  return result;
 }
 
 const char* side_name(CGAL::Surface_mesh_constrictions::Side side)

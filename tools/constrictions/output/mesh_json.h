@@ -12,8 +12,11 @@
 
 namespace constrictions {
 
-/// the member "mesh" of the program's JSON objects
-nlohmann::ordered_json mesh_as_json(const std::string& file, const Mesh& mesh);
+/// the member "mesh" of the program's JSON objects. Vertices and faces are counted as in the file.
+nlohmann::ordered_json mesh_as_json(const std::string& file, const Mesh& mesh, const File_record& record);
+
+/// the repairs, by name: the number of what was mended
+nlohmann::ordered_json repairs_as_json(const Mesh_findings& findings);
 
 /// the name of a side, in JSON and in tables
 const char* side_name(CGAL::Surface_mesh_constrictions::Side side);

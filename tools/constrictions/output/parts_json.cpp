@@ -6,6 +6,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
 namespace constrictions {
 
 namespace {
@@ -17,6 +23,29 @@ Json caps_as_json(const Part& part)
   Json result = Json::array();
   for(const Cap& c : part.caps)
     result.push_back({{"curves", c.curves}, {"cuts_part", c.cuts_part}});
+  return result;
+}
+
+// By face of the file. A face that was left out is in the part of a face beside it.
+Json face_parts_as_json(const File_numbering& numbering, const Parts& parts)
+{
+  if(numbering.face.empty())
+    return parts.part_of_input_face;
+  std::vector<std::map<std::size_t, double> > areas(numbering.faces);
+  for(std::size_t t = 0; t < numbering.face.size(); ++t)
+    for(const auto& [part, area] : parts.area_of_input_face[t])
+      areas[numbering.face[t]][part] += area;
+  Json result = Json::array();
+  for(std::size_t f = 0; f < numbering.faces; ++f)
+  {
+    const Index t = numbering.triangle_at(f);
+    if(!areas[f].empty())
+      result.push_back(std::max_element(areas[f].begin(), areas[f].end(), [](const auto& a, const auto& b) {
+                         return a.second < b.second;
+                       })->first);
+    else
+      result.push_back(t == CGAL::Surface_mesh_constrictions::null_index ? Json() : Json(parts.part_of_input_face[t]));
+  }
   return result;
 }
 
@@ -52,11 +81,11 @@ std::string parts_as_json(const Report& report, const Parts& parts)
   }
   const Stage_seconds& t = report.seconds;
   const Json json = {{"format", "constrictions-parts/1"},
-                     {"mesh", mesh_as_json(report.mesh_file, report.mesh)},
+                     {"mesh", mesh_as_json(report.mesh_file, report.mesh, report.file)},
                      {"parts", part_list},
                      {"adjacencies", adjacencies},
                      {"curves", curves},
-                     {"face_parts", parts.part_of_input_face},
+                     {"face_parts", face_parts_as_json(report.file.numbering, parts)},
                      {"seconds",
                       {{"read", t.read},
                        {"detect", t.simplify + t.seeds + t.refine + t.tighten + t.certify + t.select},

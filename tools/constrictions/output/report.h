@@ -32,7 +32,7 @@ struct Report
 {
   std::string mesh_file;
   Mesh mesh;
-  std::vector<bool> is_turned; ///< the faces that were turned round, see `read_mesh_file()`
+  File_record file; ///< how elements of the mesh are called in its file, and what was repaired
   std::vector<Constriction> constrictions;
   CGAL::Surface_mesh_constrictions::Detection_statistics statistics;
   Stage_seconds seconds;

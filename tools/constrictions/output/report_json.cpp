@@ -61,9 +61,18 @@ Json points_as_json(const Constriction& c, const Mesh& mesh)
   return result;
 }
 
-// Barycentric coordinates are in the order of the corners in the file. Two of them are zero at pivots only: a crossing
+Json triangle_as_json(const Mesh& mesh, const File_numbering& numbering, Mesh::Face_index face)
+{
+  Json result = Json::array();
+  for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(face)))
+    result.push_back(numbering.vertex_of(mesh.source(h)));
+  return result;
+}
+
+// Faces and vertices are called as in the file. Barycentric coordinates are in the order of the corners of the face
+// there, or, if it is no triangle, in that of the vertices of the piece that is given with it. Two of them are zero at pivots only: a crossing
 // that rounding has moved to an end of its edge is written beside it, so that its edge can be told from the numbers.
-Json locations_as_json(const Constriction& c, const Mesh& mesh, const std::vector<bool>& is_turned)
+Json locations_as_json(const Constriction& c, const Mesh& mesh, const File_numbering& numbering)
 {
   std::vector<Constriction::Face_location> locations;
   c.face_locations(mesh, std::back_inserter(locations));
@@ -75,30 +84,34 @@ Json locations_as_json(const Constriction& c, const Mesh& mesh, const std::vecto
     for(std::size_t corner = 0; corner < 3 && !c.locations()[i].is_pivot; ++corner, h = mesh.next(h))
       if(h == c.locations()[i].halfedge || mesh.prev(h) == c.locations()[i].halfedge)
         l.second[corner] = (std::max)(l.second[corner], (std::numeric_limits<double>::min)());
-    if(is_turned[l.first])
+    const bool is_piece = numbering.is_piece_of_polygon(l.first);
+    if(!is_piece && numbering.is_turned_round(l.first))
       std::swap(l.second[1], l.second[2]);
-    result.push_back({{"face", l.first.idx()}, {"barycentric", l.second}});
+    Json location = {{"face", numbering.face_of(l.first)}, {"barycentric", l.second}};
+    if(is_piece)
+      location["triangle"] = triangle_as_json(mesh, numbering, l.first);
+    result.push_back(std::move(location));
   }
   return result;
 }
 
 // An infinite angle, that to a hole, is written as null.
-Json pivots_as_json(const Constriction& c)
+Json pivots_as_json(const Constriction& c, const File_numbering& numbering)
 {
   Json result = Json::array();
   for(const Constriction::Pivot& p : c.pivots())
-    result.push_back({{"vertex", p.vertex.idx()},
+    result.push_back({{"vertex", numbering.vertex_of(p.vertex)},
                       {"point", p.location},
                       {"left_angle", p.left_angle},
                       {"right_angle", p.right_angle}});
   return result;
 }
 
-Json seed_as_json(const Constriction::Seed& seed)
+Json seed_as_json(const Constriction::Seed& seed, const File_numbering& numbering)
 {
   Json vertices = Json::array();
   for(Mesh::Vertex_index v : seed.vertices)
-    vertices.push_back(v.idx());
+    vertices.push_back(numbering.vertex_of(v));
   return {{"level", seed.level}, {"vertices", vertices}, {"origin", name(seed.origin)}};
 }
 
@@ -111,13 +124,13 @@ Json signs_as_json(const SMC::Sign_statistics& signs)
           {"unproved", signs.unproved}};
 }
 
-Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mesh, const std::vector<bool>& is_turned)
+Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mesh, const File_numbering& numbering)
 {
   return {{"id", id},
           {"length", c.length()},
           {"points", points_as_json(c, mesh)},
-          {"locations", locations_as_json(c, mesh, is_turned)},
-          {"pivots", pivots_as_json(c)},
+          {"locations", locations_as_json(c, mesh, numbering)},
+          {"pivots", pivots_as_json(c, numbering)},
           {"certificate", certificate_as_text(c.certificate())},
           {"side", side_name(c.side())},
           {"separating", c.is_separating()},
@@ -126,10 +139,10 @@ Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mes
           {"isoperimetric_ratio", c.isoperimetric_ratio()}, // null if it is infinite
           {"prominence", c.prominence()}, // null if it is not a number
           {"dominated_by", c.dominated_by() ? Json(*c.dominated_by()) : Json()},
-          {"slides_off", c.slides_off() ? Json(static_cast<std::size_t>(*c.slides_off())) : Json()},
+          {"slides_off", c.slides_off() ? Json(numbering.vertex_of(*c.slides_off())) : Json()},
           {"rim", c.is_rim()},
           {"boundary_share", c.boundary_share()},
-          {"seed", seed_as_json(c.seeds().front())}};
+          {"seed", seed_as_json(c.seeds().front(), numbering)}};
 }
 
 } // namespace
@@ -138,12 +151,12 @@ std::string report_as_json(const Report& report)
 {
   Json constrictions = Json::array();
   for(const Constriction& c : report.constrictions)
-    constrictions.push_back(constriction_as_json(constrictions.size(), c, report.mesh, report.is_turned));
+    constrictions.push_back(constriction_as_json(constrictions.size(), c, report.mesh, report.file.numbering));
 
   const SMC::Detection_statistics& s = report.statistics;
   const Stage_seconds& t = report.seconds;
   const Json json = {{"format", "constrictions/1"},
-                     {"mesh", mesh_as_json(report.mesh_file, report.mesh)},
+                     {"mesh", mesh_as_json(report.mesh_file, report.mesh, report.file)},
                      {"constrictions", constrictions},
                      {"statistics",
                       {{"collapses", s.collapses},

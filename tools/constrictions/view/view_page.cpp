@@ -269,7 +269,7 @@ std::string view_page(const Report& report, const Parts& parts, const Playback& 
   add_frames(playback, frame, block);
 
   // where the file lies is nobody's business but the user's
-  Json mesh = mesh_as_json(std::filesystem::path(report.mesh_file).filename().string(), report.mesh);
+  Json mesh = mesh_as_json(std::filesystem::path(report.mesh_file).filename().string(), report.mesh, report.file);
   const Json data = {{"format", "constrictions-view/1"},
                      {"mesh", mesh},
                      {"centre", frame.centre()},

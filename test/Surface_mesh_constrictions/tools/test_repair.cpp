@@ -1,0 +1,526 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/mesh_texts.h"
+#include "include/program_fixture.h"
+
+#include "input/pair_sides.h"
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// What becomes of files whose faces are no closed triangle mesh.
+namespace test_repair {
+
+using namespace mesh_texts;
+using constrictions::File_record;
+using constrictions::Finding;
+using constrictions::Reading;
+
+typedef std::vector<std::vector<int> > Faces;
+
+std::string off_of(const std::vector<Position>& points, const Faces& faces)
+{
+  std::ostringstream out;
+  out.precision(17);
+  out << "OFF\n" << points.size() << ' ' << faces.size() << " 0\n";
+  for(const Position& p : points)
+    out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for(const std::vector<int>& f : faces)
+  {
+    out << f.size();
+    for(int v : f)
+      out << ' ' << v;
+    out << '\n';
+  }
+  return out.str();
+}
+
+// A unit cube at a place, with squares; vertex x + 2 y + 4 z.
+void add_cube(double x, double y, double z, std::vector<Position>& points, Faces& faces)
+{
+  const int n = static_cast<int>(points.size());
+  for(int v = 0; v < 8; ++v)
+    points.push_back({{x + v % 2, y + v / 2 % 2, z + v / 4}});
+  for(const std::vector<int>& f : Faces{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+  {
+    faces.push_back(f);
+    for(int& v : faces.back())
+      v += n;
+  }
+}
+
+// One vertex for all at one position.
+void merge_positions(std::vector<Position>& points, Faces& faces)
+{
+  std::vector<Position> merged;
+  std::vector<int> number;
+  for(const Position& p : points)
+  {
+    const auto place = std::find(merged.begin(), merged.end(), p);
+    number.push_back(static_cast<int>(place - merged.begin()));
+    if(place == merged.end())
+      merged.push_back(p);
+  }
+  for(std::vector<int>& f : faces)
+    for(int& v : f)
+      v = number[static_cast<std::size_t>(v)];
+  points = merged;
+}
+
+class Repair
+  : public Mesh_file
+{
+protected:
+  Mesh repaired(const std::string& content, const Reading& reading = Reading())
+  {
+    record = File_record();
+    return constrictions::read_mesh_file(file("a.off", content), reading, record);
+  }
+
+  std::size_t count(Finding finding) const { return record.findings.count(finding); }
+
+  static std::size_t components(const Mesh& mesh)
+  {
+    std::vector<std::size_t> component(mesh.num_faces());
+    return CGAL::Polygon_mesh_processing::connected_components(mesh, CGAL::make_property_map(component));
+  }
+
+  // The vertices of the file that the triangle has, in its order.
+  std::vector<std::size_t> corners(const Mesh& mesh, Mesh::Face_index f) const
+  {
+    std::vector<std::size_t> result;
+    for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      result.push_back(record.numbering.vertex_of(mesh.source(h)));
+    return result;
+  }
+
+  File_record record;
+};
+
+TEST_F(Repair, leaves_a_closed_triangle_mesh_alone)
+{
+  const Mesh mesh = repaired(off(octahedron()));
+  EXPECT_FALSE(record.findings.has_repairs());
+  EXPECT_EQ(constrictions::summary_of(record.findings), "");
+  EXPECT_TRUE(record.numbering.face.empty());
+  EXPECT_EQ(record.numbering.faces, 8u);
+}
+
+TEST_F(Repair, polygons_keep_their_numbers)
+{
+  std::vector<Position> points;
+  Faces faces;
+  add_cube(0, 0, 0, points, faces);
+  const Mesh mesh = repaired(off_of(points, faces));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_EQ(mesh.number_of_faces(), 12u);
+  EXPECT_EQ(record.numbering.faces, 6u);
+  EXPECT_EQ(count(Finding::TRIANGULATED), 6u);
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    EXPECT_TRUE(record.numbering.is_piece_of_polygon(f));
+    const std::vector<int>& polygon = faces[record.numbering.face_of(f)];
+    for(std::size_t v : corners(mesh, f))
+      EXPECT_NE(std::find(polygon.begin(), polygon.end(), static_cast<int>(v)), polygon.end());
+  }
+  EXPECT_DOUBLE_EQ(CGAL::Polygon_mesh_processing::volume(mesh), 1);
+}
+
+TEST_F(Repair, polygons_that_are_not_convex_are_cut_inside)
+{
+  // a prism over an L: the area is right only if no triangle lies outside of the L
+  std::vector<Position> points;
+  for(double z : {0., 1.})
+    for(const std::array<double, 2>& p :
+        std::vector<std::array<double, 2> >{{{0, 0}}, {{3, 0}}, {{3, 1}}, {{1, 1}}, {{1, 3}}, {{0, 3}}})
+      points.push_back({{p[0], p[1], z}});
+  Faces faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
+  for(int i = 0; i < 6; ++i)
+    faces.push_back({i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6});
+  const Mesh mesh = repaired(off_of(points, faces));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_DOUBLE_EQ(CGAL::Polygon_mesh_processing::area(mesh), 2 * 5 + 12);
+  EXPECT_DOUBLE_EQ(CGAL::Polygon_mesh_processing::volume(mesh), 5);
+}
+
+TEST_F(Repair, no_diagonal_runs_beside_an_edge)
+{
+  // two quadrangles with the same corners: each is cut along another diagonal
+  const Mesh mesh = repaired(off_of({{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0.5}}, {{0, 1, 0}}}, {{0, 1, 2, 3}, {0, 3, 2, 1}}));
+  EXPECT_EQ(mesh.number_of_faces(), 2u);
+}
+
+TEST_F(Repair, duplicate_faces_are_left_out)
+{
+  Soup soup = octahedron();
+  soup.triangles.push_back(soup.triangles[3]);
+  std::rotate(soup.triangles.back().begin(), soup.triangles.back().begin() + 1, soup.triangles.back().end());
+  soup.triangles.push_back({{soup.triangles[5][0], soup.triangles[5][2], soup.triangles[5][1]}}); // turned round
+  const Mesh mesh = repaired(off(soup));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_EQ(mesh.number_of_faces(), 8u);
+  EXPECT_EQ(count(Finding::DUPLICATE_FACES), 2u);
+  EXPECT_EQ(record.numbering.triangle_at(8), record.numbering.triangle_at(3));
+}
+
+TEST_F(Repair, degenerate_faces_are_left_out)
+{
+  Soup soup = octahedron();
+  soup.triangles.insert(soup.triangles.begin() + 2, {{1, 1, 4}});
+  const Mesh mesh = repaired(off(soup));
+  EXPECT_EQ(mesh.number_of_faces(), 8u);
+  EXPECT_EQ(count(Finding::DEGENERATE_FACES), 1u);
+  EXPECT_EQ(record.numbering.face_of(2), 3u);
+  EXPECT_NE(record.numbering.triangle_at(2), CGAL::Surface_mesh_constrictions::null_index);
+}
+
+TEST_F(Repair, edges_of_length_zero_are_collapsed)
+{
+  // vertex 6 at the place of vertex 2, with two faces between
+  Soup soup = octahedron();
+  soup.points.push_back(soup.points[2]);
+  soup.triangles[0][2] = soup.triangles[1][2] = 6;
+  soup.triangles.push_back({{6, 0, 2}});
+  soup.triangles.push_back({{3, 6, 2}});
+  std::swap(soup.triangles[8][0], soup.triangles[8][1]);
+  std::swap(soup.triangles[9][0], soup.triangles[9][1]);
+  const Mesh mesh = repaired(off(soup));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_EQ(mesh.number_of_faces(), 8u);
+  EXPECT_EQ(count(Finding::COLLAPSED_EDGES), 1u);
+  EXPECT_EQ(count(Finding::DEGENERATE_FACES), 2u);
+}
+
+TEST_F(Repair, bodies_that_share_an_edge_stay_apart)
+{
+  for(bool is_inside_out : {false, true})
+  {
+    std::vector<Position> points;
+    Faces faces;
+    add_cube(0, 0, 0, points, faces);
+    add_cube(1, 1, 0, points, faces); // along the edge x = y = 1
+    merge_positions(points, faces);
+    if(is_inside_out)
+      for(std::vector<int>& f : faces)
+        std::reverse(f.begin(), f.end());
+    const Mesh mesh = repaired(off_of(points, faces));
+    EXPECT_TRUE(CGAL::is_closed(mesh));
+    EXPECT_EQ(components(mesh), 2u);
+    EXPECT_EQ(count(Finding::SPLIT_EDGES), 1u);
+    EXPECT_EQ(count(Finding::SPLIT_VERTICES), 2u);
+    EXPECT_EQ(mesh.number_of_vertices(), 16u);
+    EXPECT_EQ(record.numbering.vertices, 14u);
+    for(Mesh::Vertex_index v : mesh.vertices())
+      if(v.idx() >= 14)
+        EXPECT_EQ(mesh.point(v), mesh.point(Mesh::Vertex_index(record.numbering.vertex_of(v))));
+  }
+}
+
+TEST_F(Repair, bodies_that_share_a_vertex_or_a_wall_stay_apart)
+{
+  for(const Position& place : {Position{{1, 1, 1}}, Position{{1, 0, 0}}})
+  {
+    std::vector<Position> points;
+    Faces faces;
+    add_cube(0, 0, 0, points, faces);
+    add_cube(place[0], place[1], place[2], points, faces);
+    merge_positions(points, faces);
+    const Mesh mesh = repaired(off_of(points, faces));
+    EXPECT_TRUE(CGAL::is_closed(mesh));
+    EXPECT_EQ(components(mesh), 2u);
+    EXPECT_EQ(mesh.number_of_vertices(), 16u);
+    EXPECT_EQ(mesh.number_of_faces(), 24u);
+    EXPECT_DOUBLE_EQ(CGAL::Polygon_mesh_processing::volume(mesh), 2);
+  }
+}
+
+TEST_F(Repair, faces_of_unknown_orientation_at_a_shared_edge)
+{
+  // every subset of the faces of two cubes turned round; each cube is found again
+  std::vector<Position> points;
+  Faces faces;
+  add_cube(0, 0, 0, points, faces);
+  add_cube(1, 1, 0, points, faces);
+  merge_positions(points, faces);
+  std::mt19937 random(7);
+  for(int i = 0; i < 200; ++i)
+  {
+    Faces turned = faces;
+    for(std::vector<int>& f : turned)
+      if(random() % 3 == 0)
+        std::reverse(f.begin(), f.end());
+    const Mesh mesh = repaired(off_of(points, turned));
+    EXPECT_TRUE(CGAL::is_closed(mesh)) << i;
+    EXPECT_EQ(mesh.number_of_faces(), 24u) << i;
+  }
+}
+
+TEST_F(Repair, a_wing_at_an_edge_becomes_a_piece_of_its_own)
+{
+  Soup soup = octahedron();
+  soup.points.push_back({{2, 2, 0}});
+  soup.triangles.push_back({{0, 1, 6}});
+  const Mesh mesh = repaired(off(soup));
+  EXPECT_EQ(mesh.number_of_faces(), 9u);
+  EXPECT_EQ(components(mesh), 2u);
+  EXPECT_EQ(count(Finding::HOLES), 1u);
+  EXPECT_EQ(count(Finding::BORDER_EDGES), 3u);
+  EXPECT_TRUE(mesh.is_valid(false));
+}
+
+TEST_F(Repair, a_surface_that_is_written_with_both_sides_keeps_one)
+{
+  Soup soup = octahedron();
+  const std::vector<Triangle> front = soup.triangles;
+  for(const Triangle& t : front)
+    soup.triangles.push_back({{t[0], t[2], t[1]}});
+  const Mesh mesh = repaired(off(soup));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_EQ(mesh.number_of_faces(), 8u);
+  EXPECT_EQ(count(Finding::DUPLICATE_FACES), 8u);
+  EXPECT_FALSE(record.numbering.is_turned_round(0));
+}
+
+TEST_F(Repair, a_triangle_without_area_in_a_closed_surface_stays)
+{
+  // the edge between 0 and 1 has a vertex in its middle on one side, and a flat triangle closes the gap
+  Soup soup = octahedron();
+  soup.points.push_back({{0.5, 0.5, 0}});
+  soup.triangles[0] = {{0, 6, 2}};
+  soup.triangles.push_back({{6, 1, 2}});
+  soup.triangles.push_back({{0, 1, 6}});
+  const Mesh mesh = repaired(off(soup));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_EQ(mesh.number_of_faces(), 10u);
+  EXPECT_FALSE(record.findings.has_repairs());
+  // without it vertex 6 is named
+  soup.triangles.pop_back();
+  const Mesh open = repaired(off(soup));
+  EXPECT_FALSE(CGAL::is_closed(open));
+  ASSERT_EQ(count(Finding::T_VERTICES), 1u);
+  EXPECT_EQ(record.findings.places(Finding::T_VERTICES).front(), "vertex 6 lies on the edge between vertices 0 and 1");
+}
+
+TEST_F(Repair, holes_are_counted)
+{
+  Soup soup = octahedron();
+  soup.triangles.erase(soup.triangles.begin() + 6);
+  soup.triangles.erase(soup.triangles.begin());
+  repaired(off(soup));
+  EXPECT_EQ(count(Finding::HOLES), 2u);
+  EXPECT_EQ(count(Finding::BORDER_EDGES), 6u);
+  EXPECT_EQ(constrictions::summary_of(record.findings), "2 holes, 6 edges");
+}
+
+TEST_F(Repair, vertices_that_differ_in_the_last_digit)
+{
+  // each face with corners of its own, which are off by up to 0.00002
+  std::mt19937 random(3);
+  std::vector<Position> points;
+  Faces faces;
+  for(const Triangle& t : octahedron().triangles)
+  {
+    faces.push_back({});
+    for(std::uint32_t v : t)
+    {
+      faces.back().push_back(static_cast<int>(points.size()));
+      points.push_back(octahedron().points[v]);
+      for(double& x : points.back())
+        x += 1e-5 * (static_cast<double>(random() % 3) - 1);
+    }
+  }
+  const std::string text = off_of(points, faces);
+  try
+  {
+    repaired(text);
+    ADD_FAILURE() << "no error";
+  }
+  catch(const Invalid_input& e)
+  {
+    EXPECT_EQ(e.defect(), Input_defect::NOT_CLOSED);
+    expect_message(e.what(), {"not closed", "1e-05", "--merge "});
+  }
+  Reading reading;
+  reading.merging_distance = record.findings.merging_distance;
+  const Mesh mesh = repaired(text, reading);
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_EQ(mesh.number_of_faces(), 8u);
+  EXPECT_EQ(mesh.number_of_vertices(), 6u);
+  EXPECT_EQ(count(Finding::MERGED_VERTICES), 18u);
+}
+
+TEST_F(Repair, faces_with_corners_of_their_own_are_joined)
+{
+  std::vector<Position> points;
+  Faces faces;
+  for(const Triangle& t : octahedron().triangles)
+  {
+    faces.push_back({});
+    for(std::uint32_t v : t)
+    {
+      faces.back().push_back(static_cast<int>(points.size()));
+      points.push_back(octahedron().points[v]);
+    }
+  }
+  const Mesh mesh = repaired(off_of(points, faces));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_EQ(mesh.number_of_vertices(), 6u);
+  EXPECT_EQ(count(Finding::MERGED_VERTICES), 18u);
+}
+
+TEST_F(Repair, strict_refuses)
+{
+  Reading strict;
+  strict.is_strict = true;
+  std::vector<Position> points;
+  Faces faces;
+  add_cube(0, 0, 0, points, faces);
+  const auto expect_refused = [&](Input_defect defect, const std::string& content, const std::string& part) {
+    try
+    {
+      repaired(content, strict);
+      ADD_FAILURE() << "no error, but expected: " << part;
+    }
+    catch(const Invalid_input& e)
+    {
+      EXPECT_EQ(e.defect(), defect);
+      expect_message(e.what(), {part, "--strict"});
+    }
+  };
+  expect_refused(Input_defect::NOT_TRIANGULAR, off_of(points, faces), "face 0 has 4 vertices");
+  Soup soup = octahedron();
+  soup.triangles.push_back(soup.triangles[3]);
+  expect_refused(Input_defect::NON_MANIFOLD_EDGE, off(soup), "face 8 has the same corners as face 3");
+  soup.triangles.back() = {{1, 1, 4}};
+  expect_refused(Input_defect::ZERO_LENGTH_EDGE, off(soup), "face 8");
+  // what has always been mended
+  Soup turned = octahedron();
+  std::swap(turned.triangles[1][1], turned.triangles[1][2]);
+  EXPECT_TRUE(CGAL::is_closed(repaired(off(turned), strict)));
+}
+
+TEST(Pair_sides, joins_across_the_inside)
+{
+  using namespace constrictions;
+  // four quarter planes at the z axis, inside in the first and the third quadrant
+  const Point u(0, 0, 0), v(0, 0, 1), x(1, 0, 0), y(0, 1, 0), minus_x(-1, 0, 0), minus_y(0, -1, 0);
+  // in the first quadrant the inside begins at x, whose normal is -y: it runs back
+  const std::vector<Side_at_edge> sides = {{0, false, x}, {1, true, y}, {2, false, minus_x}, {3, true, minus_y}};
+  const auto pairs_of = [&](bool is_inside_out, std::size_t way) {
+    std::set<std::set<Index> > result;
+    for(const Side_pair& p : ways_to_pair(u, v, sides, is_inside_out)[way])
+      result.insert({p[0], p[1]});
+    return result;
+  };
+  const std::set<std::set<Index> > inside = {{0, 1}, {2, 3}}, outside = {{1, 2}, {3, 0}};
+  EXPECT_EQ(pairs_of(false, 0), inside);
+  EXPECT_EQ(pairs_of(false, 1), outside);
+  EXPECT_EQ(pairs_of(true, 0), outside);
+}
+
+// Closed bodies to which something has been done. Each is made a mesh that the library takes but for holes, or refused,
+// and what was left out and added adds up.
+TEST_F(Repair, random_soups)
+{
+  const int soups = 400;
+  std::mt19937 random(24);
+  const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  int answered = 0;
+  for(int s = 0; s < soups; ++s)
+  {
+    SCOPED_TRACE(s);
+    std::vector<Position> points;
+    Faces faces;
+    const int bodies = 1 + static_cast<int>(below(3));
+    for(int b = 0; b < bodies; ++b)
+      add_cube(static_cast<double>(below(3)), static_cast<double>(below(3)), static_cast<double>(below(2)), points,
+               faces);
+    if(below(2) == 0)
+      for(std::vector<int>& f : faces)
+        f.pop_back(); // triangles and holes
+    if(below(2) == 0)
+      merge_positions(points, faces);
+    for(std::size_t deeds = below(6); deeds > 0; --deeds)
+    {
+      const std::size_t f = below(faces.size());
+      switch(below(5))
+      {
+        case 0: faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(f)); break;
+        case 1: faces.push_back(faces[f]); break;
+        case 2: std::reverse(faces[f].begin(), faces[f].end()); break;
+        case 3: // merge two vertices
+          {
+            const int v = static_cast<int>(below(points.size())), w = static_cast<int>(below(points.size()));
+            for(std::vector<int>& g : faces)
+              std::replace(g.begin(), g.end(), v, w);
+          }
+          break;
+        default: // glue two edges
+          {
+            const std::vector<int> g = faces[below(faces.size())], h = faces[below(faces.size())];
+            for(int i : {0, 1})
+              for(std::vector<int>& k : faces)
+                std::replace(k.begin(), k.end(), g[static_cast<std::size_t>(i)], h[static_cast<std::size_t>(1 - i)]);
+          }
+      }
+      if(faces.empty())
+        break;
+    }
+    if(faces.empty())
+      continue;
+    try
+    {
+      const Mesh mesh = repaired(off_of(points, faces));
+      ++answered;
+      EXPECT_TRUE(mesh.is_valid(false));
+      EXPECT_TRUE(CGAL::is_triangle_mesh(mesh));
+      std::set<std::pair<std::uint32_t, std::uint32_t> > edges;
+      for(Mesh::Edge_index e : mesh.edges())
+      {
+        const std::uint32_t u = mesh.vertex(e, 0).idx(), v = mesh.vertex(e, 1).idx();
+        EXPECT_TRUE(edges.emplace((std::min)(u, v), (std::max)(u, v)).second) << "two edges with the same ends";
+        EXPECT_NE(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+      }
+      // triangles: of each face that was not left out those of a polygon with its corners
+      std::vector<std::size_t> pieces(faces.size(), 0);
+      for(Mesh::Face_index f : mesh.faces())
+        ++pieces[record.numbering.face_of(f)];
+      std::size_t left_out = 0;
+      for(std::size_t f = 0; f < faces.size(); ++f)
+      {
+        left_out += pieces[f] == 0;
+        EXPECT_LE(pieces[f], faces[f].size() - 2);
+      }
+      EXPECT_GE(count(Finding::DUPLICATE_FACES) + count(Finding::DEGENERATE_FACES), left_out);
+      // vertices: those of the file, but for those without a face, and the copies
+      EXPECT_EQ(mesh.num_vertices(), points.size() + count(Finding::SPLIT_VERTICES));
+      for(Mesh::Vertex_index v : mesh.vertices())
+      {
+        const Position& p = points[record.numbering.vertex_of(v)];
+        EXPECT_EQ(mesh.point(v), constrictions::Point(p[0], p[1], p[2])) << "a vertex has moved";
+      }
+      std::size_t border = 0;
+      for(Mesh::Halfedge_index h : mesh.halfedges())
+        border += mesh.is_border(h);
+      EXPECT_EQ(count(Finding::BORDER_EDGES), border);
+    }
+    catch(const Invalid_input& e)
+    {
+      expect_message(e.what(), {});
+      EXPECT_TRUE(e.defect() == Input_defect::INCONSISTENT_ORIENTATION || e.defect() == Input_defect::EMPTY_MESH ||
+                  e.defect() == Input_defect::NON_MANIFOLD_EDGE)
+          << e.what();
+    }
+  }
+  EXPECT_GT(answered, soups / 2);
+}
+
+} // namespace test_repair

@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "input/connect_triangles.h"
+
+#include "input/disjoint_sets.h"
+#include "input/edge_groups.h"
+#include "input/pair_sides.h"
+
+#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+namespace constrictions {
+
+namespace {
+
+using CGAL::Surface_mesh_constrictions::Input_defect;
+using CGAL::Surface_mesh_constrictions::Invalid_input;
+using CGAL::Surface_mesh_constrictions::null_index;
+using CGAL::Surface_mesh_constrictions::internal::Corner_table;
+using CGAL::Surface_mesh_constrictions::internal::edge_name;
+
+class Connector
+{
+public:
+  Connector(const std::vector<Point>& points, Triangles& triangles, Mesh_findings& findings)
+    : m_points(points), m_triangles(triangles), m_findings(findings)
+  {}
+
+  Corner_table connect()
+  {
+    find_edges();
+    if(leave_out_flat_triangles())
+      find_edges();
+    orient();
+    pair();
+    if(leave_out_vanished_bodies())
+    {
+      find_edges();
+      pair();
+    }
+    split_vertices();
+    return table();
+  }
+
+private:
+  typedef Edge_groups::Side Side;
+
+  // An edge with more than two faces, or with two that run along it in the same direction.
+  struct Crowded_edge
+  {
+    Index u, v; // u < v
+    std::vector<Side> sides;
+  };
+
+  Index next(Index h) const { return Corner_table::next(h); }
+  Index corner(Index h) const { return m_triangles.corners[h]; }
+  Index apex(Index h) const { return corner(Corner_table::prev(h)); }
+
+  void find_edges()
+  {
+    std::vector<std::size_t> begins(m_triangles.size() + 1);
+    for(std::size_t t = 0; t < begins.size(); ++t)
+      begins[t] = 3 * t;
+    m_opposite.assign(m_triangles.corners.size(), null_index);
+    m_faces_at.assign(m_triangles.corners.size(), 0);
+    m_crowded.clear();
+    Edge_groups(m_points.size(), m_triangles.corners, begins)
+        .for_each([this](Index u, const Side* begin, const Side* end) {
+          for(const Side* s = begin; s != end; ++s)
+            m_faces_at[s->side] = static_cast<Index>(end - begin);
+          const bool meet = end - begin == 2 && (!m_is_oriented || begin[0].is_forth != begin[1].is_forth);
+          if(meet)
+          {
+            m_opposite[begin[0].side] = begin[1].side;
+            m_opposite[begin[1].side] = begin[0].side;
+          }
+          else if(end - begin > 1)
+            m_crowded.push_back({u, begin->to, std::vector<Side>(begin, end)});
+        });
+  }
+
+  void remove_triangles(const std::vector<bool>& is_left_out)
+  {
+    std::size_t left = 0;
+    for(std::size_t t = 0; t < m_triangles.size(); ++t)
+    {
+      if(is_left_out[t])
+        continue;
+      for(std::size_t i = 0; i < 3; ++i)
+        m_triangles.corners[3 * left + i] = m_triangles.corners[3 * t + i];
+      if(!m_triangles.is_turned.empty())
+        m_triangles.is_turned[left] = m_triangles.is_turned[t];
+      m_triangles.face[left++] = m_triangles.face[t];
+    }
+    m_triangles.corners.resize(3 * left);
+    m_triangles.face.resize(left);
+    if(!m_triangles.is_turned.empty())
+      m_triangles.is_turned.resize(left);
+  }
+
+  void tell_left_out(Finding finding, std::size_t t, const char* why)
+  {
+    const Index f = m_triangles.face[t];
+    m_findings.add(finding, [f, why] { return "degenerate face: face " + std::to_string(f) + why; });
+  }
+
+  // Those at edges with more than two faces, if no edge is left with one face. Returns whether there were any.
+  bool leave_out_flat_triangles()
+  {
+    std::vector<bool> is_left_out(m_triangles.size(), false);
+    std::vector<Index> faces_at = m_faces_at;
+    bool is_any = false;
+    for(const Crowded_edge& edge : m_crowded)
+      for(const Side& s : edge.sides)
+      {
+        const Index h = s.side - s.side % 3;
+        if(is_left_out[h / 3] ||
+           !CGAL::collinear(m_points[corner(h)], m_points[corner(h + 1)], m_points[corner(h + 2)]) ||
+           std::any_of(faces_at.begin() + h, faces_at.begin() + h + 3, [](Index n) { return n == 2; }))
+          continue;
+        is_any = is_left_out[h / 3] = true;
+        tell_left_out(Finding::DEGENERATE_FACES, h / 3, " has no area");
+        for(Index i = h; i < h + 3; ++i)
+          lower_count(i, faces_at);
+      }
+    if(is_any)
+      remove_triangles(is_left_out);
+    return is_any;
+  }
+
+  // One face less at the edge of side h.
+  void lower_count(Index h, std::vector<Index>& faces_at) const
+  {
+    const Index u = (std::min)(corner(h), corner(next(h))), v = (std::max)(corner(h), corner(next(h)));
+    const auto edge = std::lower_bound(m_crowded.begin(), m_crowded.end(), std::make_pair(u, v),
+                                       [](const Crowded_edge& e, const std::pair<Index, Index>& key) {
+                                         return std::make_pair(e.u, e.v) < key;
+                                       });
+    if(edge != m_crowded.end() && edge->u == u && edge->v == v)
+      for(const Side& s : edge->sides)
+        --faces_at[s.side];
+  }
+
+  // Triangles joined over edges with two faces are a patch, and have one orientation. Then patches are turned round
+  // where that lets more faces meet in opposite directions at edges with more of them.
+  void orient()
+  {
+    const std::size_t n = m_triangles.size();
+    std::vector<Index> patch(n, null_index);
+    std::vector<bool> is_turned(n, false);
+    std::vector<std::vector<Index> > triangles_of; // of each patch
+    for(Index first = 0; first < n; ++first)
+    {
+      if(patch[first] != null_index)
+        continue;
+      const Index p = static_cast<Index>(triangles_of.size());
+      std::vector<Index> found = {first};
+      patch[first] = p;
+      std::size_t turned = 0;
+      for(std::size_t i = 0; i < found.size(); ++i)
+        for(Index h = 3 * found[i]; h < 3 * found[i] + 3; ++h)
+        {
+          const Index o = m_opposite[h];
+          if(o == null_index)
+            continue;
+          const bool is_other_turned = is_turned[h / 3] != (corner(h) == corner(o));
+          if(patch[o / 3] == null_index)
+          {
+            patch[o / 3] = p;
+            is_turned[o / 3] = is_other_turned;
+            turned += is_other_turned;
+            found.push_back(o / 3);
+          }
+          else if(is_turned[o / 3] != is_other_turned)
+            throw_one_sided(h);
+        }
+      if(2 * turned > found.size())
+        for(Index t : found)
+          is_turned[t] = !is_turned[t];
+      triangles_of.push_back(std::move(found));
+    }
+    turn_patches(patch, triangles_of, is_turned);
+
+    m_is_oriented = true;
+    m_triangles.is_turned = is_turned;
+    for(Index t = 0; t < n; ++t)
+      if(is_turned[t])
+      {
+        std::swap(m_triangles.corners[3 * t + 1], m_triangles.corners[3 * t + 2]);
+        const Index f = m_triangles.face[t];
+        m_findings.add(Finding::TURNED_FACES, [f] { return "face " + std::to_string(f) + " is turned round"; });
+      }
+    if(std::find(is_turned.begin(), is_turned.end(), true) != is_turned.end())
+      find_edges();
+  }
+
+  [[noreturn]] void throw_one_sided(Index h) const
+  {
+    const Index f = m_triangles.face[h / 3];
+    throw Invalid_input(Input_defect::INCONSISTENT_ORIENTATION, f,
+                        "inconsistent orientation: the surface cannot be oriented, as a Moebius strip cannot: that "
+                        "shows at " + edge_name(corner(h), corner(next(h))) + " of face " + std::to_string(f));
+  }
+
+  void turn_patches(const std::vector<Index>& patch, const std::vector<std::vector<Index> >& triangles_of,
+                    std::vector<bool>& is_turned) const
+  {
+    typedef std::unordered_map<std::size_t, long long> Shares; // by crowded edge: forth minus back
+    std::vector<long long> balance(m_crowded.size(), 0);
+    std::unordered_map<Index, Shares> shares; // by patch
+    for(std::size_t e = 0; e < m_crowded.size(); ++e)
+      for(const Side& s : m_crowded[e].sides)
+      {
+        const long long direction = s.is_forth != is_turned[s.side / 3] ? 1 : -1;
+        balance[e] += direction;
+        shares[patch[s.side / 3]][e] += direction;
+      }
+    const int rounds = 20;
+    bool has_changed = true;
+    for(int round = 0; round < rounds && has_changed; ++round)
+    {
+      has_changed = false;
+      for(Index p = 0; p < triangles_of.size(); ++p)
+      {
+        const auto its_shares = shares.find(p);
+        if(its_shares == shares.end())
+          continue;
+        long long gain = 0; // a sum: the order does not matter
+        for(const auto& [e, share] : its_shares->second)
+          gain += std::abs(balance[e]) - std::abs(balance[e] - 2 * share);
+        if(gain <= 0)
+          continue;
+        has_changed = true;
+        for(auto& [e, share] : its_shares->second)
+        {
+          balance[e] -= 2 * share;
+          share = -share;
+        }
+        for(Index t : triangles_of[p])
+          is_turned[t] = !is_turned[t];
+      }
+    }
+  }
+
+  // The volume, six times, of what the oriented triangles enclose; negative if they are inside out.
+  double volume() const
+  {
+    const Point& o = m_points[corner(0)];
+    double result = 0;
+    for(Index h = 0; h < m_triangles.corners.size(); h += 3)
+      result += CGAL::cross_product(m_points[corner(h)] - o, m_points[corner(h + 1)] - o) *
+                (m_points[corner(h + 2)] - o);
+    return result;
+  }
+
+  // Pairs the sides at each crowded edge so that no two edges have the same ends once the vertices are split.
+  void pair()
+  {
+    m_fan_of.reset();
+    if(m_crowded.empty())
+      return;
+    const bool is_inside_out = volume() < 0;
+    std::vector<std::vector<std::vector<Side_pair> > > ways;
+    std::vector<std::size_t> way(m_crowded.size(), 0);
+    for(const Crowded_edge& edge : m_crowded)
+    {
+      std::vector<Side_at_edge> sides;
+      for(const Side& s : edge.sides)
+        sides.push_back({s.side, s.is_forth, m_points[apex(s.side)]});
+      ways.push_back(ways_to_pair(m_points[edge.u], m_points[edge.v], sides, is_inside_out));
+      set_pairs(edge, ways.back()[0]);
+    }
+    // What becomes of an edge depends on its neighbours: of neighbours one is changed at a time, as long as that does not
+    // take too long.
+    const int patience = 200;
+    for(int round = 0;; ++round)
+    {
+      const std::vector<std::size_t> failures = edges_with_equal_ends();
+      if(failures.empty())
+        return;
+      std::unordered_set<Index> touched;
+      for(std::size_t e : failures)
+      {
+        if(way[e] + 1 == ways[e].size())
+          throw_not_split(m_crowded[e]);
+        const bool is_first = touched.insert(m_crowded[e].u).second && touched.insert(m_crowded[e].v).second;
+        if(!is_first && round < patience)
+          continue;
+        ++way[e];
+        set_pairs(m_crowded[e], ways[e][way[e]]);
+      }
+    }
+  }
+
+  void set_pairs(const Crowded_edge& edge, const std::vector<Side_pair>& pairs)
+  {
+    for(const Side& s : edge.sides)
+      m_opposite[s.side] = null_index;
+    for(const Side_pair& p : pairs)
+    {
+      m_opposite[p[0]] = p[1];
+      m_opposite[p[1]] = p[0];
+    }
+  }
+
+  // By the fans of faces around the vertices: each corner with the one that is reached over an edge.
+  void find_fans()
+  {
+    m_fan_of = std::make_unique<Disjoint_sets>(m_triangles.corners.size());
+    for(Index h = 0; h < m_opposite.size(); ++h)
+      if(m_opposite[h] != null_index)
+        m_fan_of->unite(h, next(m_opposite[h]));
+  }
+
+  std::vector<std::size_t> edges_with_equal_ends()
+  {
+    find_fans();
+    std::vector<std::size_t> result;
+    for(std::size_t e = 0; e < m_crowded.size(); ++e)
+    {
+      std::vector<std::pair<Index, Index> > ends; // fans at u and at v
+      for(const Side& s : m_crowded[e].sides)
+      {
+        if(m_opposite[s.side] != null_index && m_opposite[s.side] < s.side)
+          continue;
+        const Index from = m_fan_of->find(s.side), to = m_fan_of->find(next(s.side));
+        ends.push_back(s.is_forth ? std::make_pair(from, to) : std::make_pair(to, from));
+      }
+      std::sort(ends.begin(), ends.end());
+      if(std::adjacent_find(ends.begin(), ends.end()) != ends.end())
+        result.push_back(e);
+    }
+    return result;
+  }
+
+  [[noreturn]] void throw_not_split(const Crowded_edge& edge) const
+  {
+    const Index f = m_triangles.face[edge.sides.front().side / 3];
+    throw Invalid_input(Input_defect::NON_MANIFOLD_EDGE, f,
+                        "non-manifold edge: " + edge_name(edge.u, edge.v) + " of face " + std::to_string(f) + " has " +
+                        std::to_string(edge.sides.size()) +
+                        " faces, and cannot be made several edges with different ends");
+  }
+
+  // Two triangles joined along all three edges.
+  bool leave_out_vanished_bodies()
+  {
+    std::vector<bool> is_left_out(m_triangles.size(), false);
+    bool is_any = false;
+    for(Index h = 0; h < m_opposite.size(); h += 3)
+    {
+      const Index o = m_opposite[h];
+      if(o == null_index || m_opposite[h + 1] == null_index || m_opposite[h + 2] == null_index ||
+         m_opposite[h + 1] / 3 != o / 3 || m_opposite[h + 2] / 3 != o / 3)
+        continue;
+      is_any = is_left_out[h / 3] = true;
+      tell_left_out(Finding::DEGENERATE_FACES, h / 3, " and the same one turned round are a body without inside");
+    }
+    if(is_any)
+      remove_triangles(is_left_out);
+    return is_any;
+  }
+
+  void split_vertices()
+  {
+    for(const Crowded_edge& edge : m_crowded)
+      m_findings.add(Finding::SPLIT_EDGES, [&] {
+        const Index f = m_triangles.face[edge.sides.front().side / 3];
+        return "non-manifold edge: " + edge_name(edge.u, edge.v) + " of face " + std::to_string(f) + " has " +
+               std::to_string(edge.sides.size()) + " faces";
+      });
+    if(m_fan_of == nullptr)
+      find_fans();
+    const std::size_t nv = m_points.size();
+    std::vector<Index>& vertex = m_triangles.vertex;
+    for(Index v = 0; v < nv; ++v)
+      vertex.push_back(v);
+    std::vector<bool> is_used(nv, false);
+    std::vector<Index> vertex_of_fan(m_triangles.corners.size(), null_index);
+    for(Index h = 0; h < m_triangles.corners.size(); ++h)
+    {
+      Index& name = vertex_of_fan[m_fan_of->find(h)];
+      const Index v = corner(h);
+      if(name == null_index && !is_used[v])
+      {
+        is_used[v] = true;
+        name = v;
+      }
+      else if(name == null_index)
+      {
+        name = static_cast<Index>(vertex.size());
+        vertex.push_back(v);
+        m_findings.add(Finding::SPLIT_VERTICES, [v] {
+          return "non-manifold vertex: the faces around vertex " + std::to_string(v) + " form more than one fan";
+        });
+      }
+      m_triangles.corners[h] = name;
+    }
+  }
+
+  Corner_table table() const
+  {
+    Corner_table result;
+    result.halfedges.reserve(m_opposite.size());
+    result.outgoing.assign(m_triangles.vertex.size(), null_index);
+    for(Index h = 0; h < m_opposite.size(); ++h)
+    {
+      result.halfedges.push_back({corner(h), m_opposite[h]});
+      result.outgoing[corner(h)] = h;
+    }
+    return result;
+  }
+
+  const std::vector<Point>& m_points;
+  Triangles& m_triangles;
+  Mesh_findings& m_findings;
+  std::vector<Index> m_opposite; // by side
+  std::vector<Index> m_faces_at; // by side, the number of faces at its edge
+  std::vector<Crowded_edge> m_crowded;
+  bool m_is_oriented = false;
+  std::unique_ptr<Disjoint_sets> m_fan_of; // by corner
+};
+
+} // namespace
+
+Corner_table connect_triangles(const std::vector<Point>& points, Triangles& triangles, Mesh_findings& findings)
+{
+  return Connector(points, triangles, findings).connect();
+}
+
+} // namespace constrictions
