@@ -35,7 +35,7 @@ struct Sign_statistics
   std::size_t interval = 0;       ///< by intervals of doubles
   std::size_t multiprecision = 0; ///< by intervals of higher precision
   std::size_t finite_field = 0;   ///< not zero by the image in a finite field; then by intervals of any precision
-  std::size_t algebra = 0;        ///< by writing the number in a basis of its field: most of these are zero
+  std::size_t algebra = 0;        ///< by writing the number as a sum of independent roots: most of these are zero
   std::size_t unproved = 0;       ///< not at all
 
   /// what has been decided since `b`

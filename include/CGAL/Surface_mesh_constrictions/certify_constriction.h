@@ -53,8 +53,9 @@ namespace Surface_mesh_constrictions {
 /// \cost if intervals of doubles decide, linear up to a logarithm in the number of crossings and in the degrees of the
 ///       pivots, plus the squared number of pieces of the curve in each face, plus the faces of a flat band times the
 ///       parallel copies in it that meet vertices. A sign that they leave open costs, for an arc with k crossings, O(k)
-///       operations at each higher precision; a tie costs operations in a field of up to 2^m dimensions, where m is the
-///       number of square classes of the squared areas of the faces concerned.
+///       operations at each higher precision. A tie in a strip on a prism or a bore costs O(k) operations on integers,
+///       and at most as many tests for a square as there are pairs of planes; any other tie costs operations in a field
+///       of up to 2^m dimensions, where m is the number of square classes of the squared areas of the faces concerned.
 ///
 /// \sa `detect_constrictions()`
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
