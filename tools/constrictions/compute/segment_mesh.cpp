@@ -81,16 +81,13 @@ SMC::Split_curves<Mesh> split(const std::vector<Constriction>& constrictions, co
   return result;
 }
 
-// `capped` has the holes of the input, `closed` has none.
-Part measured_part(const Mesh& open, Mesh&& capped, const Mesh& closed, bool is_open)
+// `capped` has the holes of the input, `open` also those along curves.
+Part measured_part(const Mesh& open, Mesh&& capped, bool is_open)
 {
   Part part;
   part.area = PMP::area(open);
   // a part with holes of the input has no volume
-  part.volume = CGAL::is_closed(closed) ? PMP::volume(closed) : std::numeric_limits<double>::quiet_NaN();
-  const std::size_t euler_characteristic =
-      closed.number_of_vertices() + closed.number_of_faces() - closed.number_of_edges(); // modulo 2^64
-  part.genus = (2 - euler_characteristic) / 2;
+  part.volume = CGAL::is_closed(capped) ? PMP::volume(capped) : std::numeric_limits<double>::quiet_NaN();
   part.is_cavity = false;
   part.boundaries = 0;
   std::vector<bool> is_seen(open.num_halfedges(), false);
@@ -101,6 +98,9 @@ Part measured_part(const Mesh& open, Mesh&& capped, const Mesh& closed, bool is_
       for(Mesh::Halfedge_index b : open.halfedges_around_face(h))
         is_seen[b] = true;
     }
+  const std::size_t euler_characteristic =
+      open.number_of_vertices() + open.number_of_faces() - open.number_of_edges(); // modulo 2^64
+  part.genus = (2 - euler_characteristic - part.boundaries) / 2;
   part.mesh = is_open ? open : std::move(capped);
   return part;
 }
@@ -134,7 +134,7 @@ Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constricti
   result.part_of_face.resize(result.mesh.num_faces());
   PMP::connected_components(result.mesh, CGAL::make_property_map(result.part_of_face),
                             CGAL::parameters::edge_is_constrained_map(marks));
-  std::vector<Mesh> open, capped, closed;
+  std::vector<Mesh> open, closed;
   SMC::extract_parts(result.mesh, marks, std::back_inserter(open), SMC::parameters::with_caps(false));
   std::vector<SMC::Part_cap<Mesh>> caps;
   SMC::extract_parts(result.mesh, marks, std::back_inserter(closed),
