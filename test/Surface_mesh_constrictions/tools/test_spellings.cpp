@@ -142,7 +142,7 @@ void add_texts(const std::string& name, const std::string& text, Files& files)
   files.emplace_back("gzipped_" + name, gzipped(text));
   files.emplace_back("two_pieces_" + name + ".gz",
                      gzipped(text.substr(0, text.size() / 2)) + gzipped(text.substr(text.size() / 2)));
-  files.emplace_back(name.substr(0, dot) + "_without_extension", text);
+  files.emplace_back(name.substr(0, dot) + "_" + name.substr(dot + 1) + "_without_extension", text);
 }
 
 Files off_files()
