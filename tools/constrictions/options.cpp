@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
 
 const char* const description =
     "Finds the constrictions of a surface: closed curves of locally minimal length, where a rubber band around the\n"
-    "object stays put. The surface is a mesh in an OFF, OBJ, PLY or STL file, which may be gzipped, or, with - for the\n"
+    "object stays put. The surface is a mesh in an OFF, OBJ, PLY or STL file, which may be gzipped, or, with - for "
+    "the\n"
     "file, in the standard input. Polygons are triangulated, and what is not a manifold is made one, without moving\n"
     "a vertex: a line on the standard error output, and the JSON, say what was done. Faces and vertices are numbered\n"
     "as in the file.\n";
@@ -52,7 +53,8 @@ const char* const examples =
     "  constrictions check scan.stl -o repaired.ply\n"
     "      prints what is wrong with a mesh, and writes it as the other commands would use it\n"
     "  constrictions batch meshes -o results -j 8 --time-limit 60\n"
-    "      goes through the meshes of a folder, 8 at a time; writes a line of JSON for each into results/results.jsonl\n"
+    "      goes through the meshes of a folder, 8 at a time; writes a line of JSON for each into "
+    "results/results.jsonl\n"
     "\n"
     "Exit codes: 0 done (there may be no constrictions), 1 the input is not a usable mesh, or a curve is not\n"
     "certified, 2 wrong usage, 3 an output could not be written.\n";
@@ -98,8 +100,7 @@ void add_mesh(CLI::App& command, Options& options)
 void add_check_options(CLI::App& command, Options& options)
 {
   add_mesh(command, options);
-  command
-      .add_option("-o", options.repaired, "write the mesh as it is repaired: OFF, OBJ or PLY, by the extension")
+  command.add_option("-o", options.repaired, "write the mesh as it is repaired: OFF, OBJ or PLY, by the extension")
       ->type_name("FILE")
       ->check(not_empty)
       ->check(CLI::Validator(
@@ -110,7 +111,8 @@ void add_check_options(CLI::App& command, Options& options)
   command.add_option("--json", options.json, "write the report as JSON; - prints it, instead of the lines")
       ->type_name("FILE|-")
       ->check(not_empty);
-  command.footer("\nThe exit code is 0 if constrictions of the mesh can be computed, as it is or as repaired, else 1.\n");
+  command.footer(
+      "\nThe exit code is 0 if constrictions of the mesh can be computed, as it is or as repaired, else 1.\n");
 }
 
 void add_no_certify(CLI::App& command, Search& search)

@@ -17,7 +17,16 @@
 
 namespace constrictions {
 
-enum class Command { DETECT, TIGHTEN, CERTIFY, SEGMENT, BATCH, VIEW, CHECK };
+enum class Command
+{
+  DETECT,
+  TIGHTEN,
+  CERTIFY,
+  SEGMENT,
+  BATCH,
+  VIEW,
+  CHECK
+};
 
 enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
 

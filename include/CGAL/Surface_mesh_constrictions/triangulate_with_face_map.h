@@ -26,9 +26,10 @@ namespace Surface_mesh_constrictions {
 /// copies a polygon mesh and cuts its faces into triangles, as `detect_constrictions()` needs them, and tells which
 /// polygon each triangle is a piece of.
 ///
-/// Polygons may be non-convex and need not be plane. They are cut as by `CGAL::Polygon_mesh_processing::triangulate_faces()`,
-/// but so that no diagonal joins two vertices that an edge joins already, wherever that can be done: two edges with the
-/// same ends are no mesh for this package. No vertex is added or moved. A triangle of `pm` remains one.
+/// Polygons may be non-convex and need not be plane. They are cut as by
+/// `CGAL::Polygon_mesh_processing::triangulate_faces()`, but so that no diagonal joins two vertices that an edge joins
+/// already, wherever that can be done: two edges with the same ends are no mesh for this package. No vertex is added or
+/// moved. A triangle of `pm` remains one.
 ///
 /// \tparam PolygonMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
@@ -64,9 +65,8 @@ void triangulate_with_face_map(const PolygonMesh& pm, TriangleMesh& tm, FaceMap 
   typedef typename Triangle_graph::face_descriptor Face;
   typedef typename Triangle_graph::halfedge_descriptor Halfedge;
 
-  std::vector<std::pair<Polygon, Face> > copies;
-  CGAL::copy_face_graph(pm, tm,
-                        np.face_to_face_output_iterator(std::back_inserter(copies)));
+  std::vector<std::pair<Polygon, Face>> copies;
+  CGAL::copy_face_graph(pm, tm, np.face_to_face_output_iterator(std::back_inserter(copies)));
   const auto vpm = get(CGAL::vertex_point, tm);
   for(const std::pair<Polygon, Face>& copy : copies)
   {

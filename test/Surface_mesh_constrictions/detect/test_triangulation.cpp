@@ -30,10 +30,10 @@ typedef CGAL::Surface_mesh<Point> Mesh;
 
 // Prisms over regular polygons, one above the other, joined: a dumbbell whose sides are quadrangles, and whose ends are
 // polygons of n corners.
-Mesh lathe(int n, const std::vector<std::array<double, 2> >& profile)
+Mesh lathe(int n, const std::vector<std::array<double, 2>>& profile)
 {
   Mesh mesh;
-  std::vector<std::vector<Mesh::Vertex_index> > rings;
+  std::vector<std::vector<Mesh::Vertex_index>> rings;
   for(const std::array<double, 2>& p : profile)
   {
     rings.emplace_back();
@@ -58,7 +58,7 @@ Mesh dumbbell() { return lathe(10, {{{3, 0}}, {{3, 2}}, {{1, 4}}, {{3, 6}}, {{3,
 
 TEST(Triangulation, refused_with_the_name_of_the_function)
 {
-  std::vector<SMC::Constriction<Mesh> > found;
+  std::vector<SMC::Constriction<Mesh>> found;
   try
   {
     SMC::detect_constrictions(dumbbell(), std::back_inserter(found));
@@ -95,7 +95,7 @@ TEST(Triangulation, tells_the_polygon_of_each_triangle)
   for(std::size_t f : {polygons.number_of_faces() - 2, polygons.number_of_faces() - 1})
     EXPECT_NEAR(areas[Mesh::Face_index(static_cast<Mesh::size_type>(f))], decagon, 1e-12 * decagon);
 
-  std::vector<SMC::Constriction<Mesh> > found;
+  std::vector<SMC::Constriction<Mesh>> found;
   SMC::detect_constrictions(triangles, std::back_inserter(found));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].length(), 20 * std::sin(std::acos(-1.) / 10), 1e-12); // 6.18034
@@ -123,8 +123,8 @@ TEST(Triangulation, of_a_polygon_that_is_neither_plane_nor_convex)
     star.emplace_back(radius * std::cos(angle), radius * std::sin(angle), i % 3 == 0 ? 0.1 : 0);
   }
   const auto allowed = [](std::size_t, std::size_t) { return true; };
-  for(const auto& triangles : {SMC::internal::triangulate_polygon(star, allowed),
-                               SMC::internal::cut_off_ears(star, allowed)})
+  for(const auto& triangles :
+      {SMC::internal::triangulate_polygon(star, allowed), SMC::internal::cut_off_ears(star, allowed)})
   {
     ASSERT_EQ(triangles.size(), 10u);
     double area = 0; // of the projections, with sign: all run the same way round

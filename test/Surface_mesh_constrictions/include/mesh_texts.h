@@ -68,10 +68,7 @@ inline std::string off(const Soup& soup)
          points_as_text(soup) + faces_as_text(soup, "3");
 }
 
-inline std::string obj(const Soup& soup)
-{
-  return points_as_text(soup, "v ") + faces_as_text(soup, "f", 1);
-}
+inline std::string obj(const Soup& soup) { return points_as_text(soup, "v ") + faces_as_text(soup, "f", 1); }
 
 inline std::string ply_header(const Soup& soup, const std::string& format)
 {
@@ -151,8 +148,7 @@ inline std::string with_crlf(const std::string& text)
   return result;
 }
 
-class Mesh_file
-  : public testing::Test
+class Mesh_file : public testing::Test
 {
 protected:
   Mesh_file()

@@ -32,7 +32,7 @@ Polygons dumbbell()
 {
   Polygons result;
   const double pi = std::acos(-1.);
-  const std::vector<std::array<double, 2> > profile = {{{3, 0}}, {{3, 2}}, {{1, 4}}, {{3, 6}}, {{3, 8}}};
+  const std::vector<std::array<double, 2>> profile = {{{3, 0}}, {{3, 2}}, {{1, 4}}, {{3, 6}}, {{3, 8}}};
   for(const std::array<double, 2>& p : profile)
     for(int i = 0; i < 10; ++i)
       result.points.push_back({{p[0] * std::cos(pi * i / 5), p[0] * std::sin(pi * i / 5), p[1]}});
@@ -71,8 +71,7 @@ std::string as_obj(const Polygons& polygons)
   return out.str();
 }
 
-class Program_repair
-  : public program_fixture::Program
+class Program_repair : public program_fixture::Program
 {
 protected:
   Json json_of(const std::string& arguments) const
@@ -241,8 +240,8 @@ TEST_F(Program_repair, check_prints_everything_and_writes_the_mesh)
   write("a.obj", as_obj(file));
   const Result r = run("check a.obj -o repaired.off --json a.json");
   EXPECT_EQ(r.exit_code, 0) << r.err;
-  for(const char* part : {"43 polygons triangulated", "1 duplicate face left out", "face 42 has the same corners as face 3",
-                          "turned round", "usable, as repaired"})
+  for(const char* part : {"43 polygons triangulated", "1 duplicate face left out",
+                          "face 42 has the same corners as face 3", "turned round", "usable, as repaired"})
     EXPECT_NE(r.out.find(part), std::string::npos) << part << " in: " << r.out;
   const Json json = Json::parse(content("a.json"));
   EXPECT_EQ(json.at("format"), "constrictions-check/1");

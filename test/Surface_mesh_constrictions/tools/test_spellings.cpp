@@ -19,7 +19,7 @@ namespace test_spellings {
 
 using namespace mesh_texts;
 
-typedef std::vector<std::pair<std::string, std::string> > Files; // names and contents
+typedef std::vector<std::pair<std::string, std::string>> Files; // names and contents
 
 std::string changed_case(std::string text, int (*change)(int))
 {
@@ -142,7 +142,7 @@ void add_texts(const std::string& name, const std::string& text, Files& files)
   files.emplace_back("gzipped_" + name, gzipped(text));
   files.emplace_back("two_pieces_" + name + ".gz",
                      gzipped(text.substr(0, text.size() / 2)) + gzipped(text.substr(text.size() / 2)));
-  files.emplace_back(name.substr(0, dot) + "_without_extension", text);
+  files.emplace_back(name.substr(0, dot) + "_" + name.substr(dot + 1) + "_without_extension", text);
 }
 
 Files off_files()
@@ -169,7 +169,8 @@ Files off_files()
   add("two_vertices_a_line", "OFF" + head + with_tails(all_replaced(points, "\n", " "), "") + faces);
   add("faces_on_one_line", "OFF" + head + points + all_replaced(faces, "\n", " ") + "\n");
   add("tabs", all_replaced(text, " ", "\t"));
-  add("commas", all_replaced(all_replaced(points_as_text(soup), " ", ", "), "\n", "\n").insert(0, "OFF" + head) + faces);
+  add("commas",
+      all_replaced(all_replaced(points_as_text(soup), " ", ", "), "\n", "\n").insert(0, "OFF" + head) + faces);
   add("indented", "OFF" + head + indented(points + faces, "  "));
   add("comments", "OFF # shape\n# by hand" + head + with_tails(points, " # vertex") + "# faces\n" + faces);
   add("exponents", "OFF" + head + all_replaced(points, "1.5", "+1.5E+00") + faces);
@@ -178,8 +179,8 @@ Files off_files()
   add("whole_numbers_with_points", "OFF" + head + points + all_replaced(faces, "3 0 1 2", "3.0 0. 1.0 2.00"));
   add("face_colours", "OFF" + head + points + with_tails(faces, " 255 0 0"));
   add("face_colours_sometimes", "OFF" + head + points + with_tails(faces, [](std::size_t i) {
-        return i % 2 == 0 ? std::string(" 0.5 0.5 0.5 1") : std::string();
-      }));
+                                  return i % 2 == 0 ? std::string(" 0.5 0.5 0.5 1") : std::string();
+                                }));
   add("coff", "COFF" + head + with_tails(points, " 255 0 0 255") + faces);
   add("coff_lower", "coff" + head + with_tails(points, " 1 0 0") + faces);
   add("noff", "NOFF" + head + with_tails(points, " 0 0 1") + faces);
@@ -344,8 +345,7 @@ Files stl_files()
 }
 
 // Each is read as the octahedron, all vertices and faces in their order.
-class Spellings
-  : public Mesh_file
+class Spellings : public Mesh_file
 {
 protected:
   void expect_octahedron(const Files& files) const
@@ -377,8 +377,8 @@ TEST_F(Spellings, small_numbers_below_zero_go_on_in_ply)
   for(int v = 0; v < 40000; ++v)
     for(int i = 0; i < 3; ++i)
       text += bytes(v == 39999 - i ? 1.f : 0.f);
-  for(const std::array<int, 3>& t : {std::array<int, 3>{0, 39998, 39999}, {0, 39999, 39997}, {0, 39997, 39998},
-                                     {39999, 39998, 39997}})
+  for(const std::array<int, 3>& t :
+      {std::array<int, 3>{0, 39998, 39999}, {0, 39999, 39997}, {0, 39997, 39998}, {39999, 39998, 39997}})
   {
     text += '\3';
     for(int v : t)

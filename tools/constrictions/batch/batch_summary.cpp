@@ -98,7 +98,7 @@ std::string Batch_summary::as_table() const
   for(const auto& [kind, number] : m_failed)
   {
     out << std::left << setw(16) << "  " + kind << std::right << setw(10) << number << '\n';
-    std::vector<std::pair<std::size_t, std::string> > reasons;
+    std::vector<std::pair<std::size_t, std::string>> reasons;
     for(const auto& [text, times] : m_reasons.at(kind))
       reasons.emplace_back(times, text);
     std::stable_sort(reasons.begin(), reasons.end(), [](const auto& a, const auto& b) { return a.first > b.first; });

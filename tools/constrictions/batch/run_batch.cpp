@@ -64,9 +64,9 @@ nlohmann::ordered_json settings(const Options& options)
   const Selection& s = options.selection;
   nlohmann::ordered_json result = {{"format", "constrictions-batch-settings/1"},
                                    {"version", CONSTRICTIONS_VERSION},
-                                   {"policy", options.policy == Policy::GARLAND_HECKBERT  ? "gh"
+                                   {"policy", options.policy == Policy::GARLAND_HECKBERT ? "gh"
                                               : options.policy == Policy::LINDSTROM_TURK ? "lt"
-                                                                                          : "length"},
+                                                                                         : "length"},
                                    {"seeds", options.search.triangles_only ? "triangles" : "all"},
                                    {"certify", options.search.certifies},
                                    {"strict", options.reading.is_strict},

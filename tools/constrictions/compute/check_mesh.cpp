@@ -39,18 +39,17 @@ Check_report check_mesh(const std::string& name, const Reading& reading)
   for(Mesh::Face_index f : report.mesh.faces())
   {
     const Mesh::Halfedge_index h = report.mesh.halfedge(f);
-    report.flat_triangles += CGAL::collinear(report.mesh.point(report.mesh.source(h)),
-                                             report.mesh.point(report.mesh.target(h)),
-                                             report.mesh.point(report.mesh.target(report.mesh.next(h))));
+    report.flat_triangles +=
+        CGAL::collinear(report.mesh.point(report.mesh.source(h)), report.mesh.point(report.mesh.target(h)),
+                        report.mesh.point(report.mesh.target(report.mesh.next(h))));
   }
   report.is_inside_out = report.file.findings.count(Finding::HOLES) == 0 && PMP::volume(report.mesh) < 0;
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index> > pairs;
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
   PMP::self_intersections<CGAL::Sequential_tag>(faces(report.mesh), report.mesh, std::back_inserter(pairs));
   report.self_intersections = pairs.size();
   for(std::size_t i = 0; i < pairs.size() && i < Mesh_findings::shown_places; ++i)
-    report.first_intersections.push_back(
-        "faces " + std::to_string(report.file.numbering.face_of(pairs[i].first)) + " and " +
-        std::to_string(report.file.numbering.face_of(pairs[i].second)));
+    report.first_intersections.push_back("faces " + std::to_string(report.file.numbering.face_of(pairs[i].first)) +
+                                         " and " + std::to_string(report.file.numbering.face_of(pairs[i].second)));
   return report;
 }
 

@@ -167,7 +167,7 @@ Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constricti
       result.adjacencies.push_back({c, parts, length});
   }
 
-  std::vector<std::map<std::size_t, double> >& shares = result.area_of_input_face;
+  std::vector<std::map<std::size_t, double>>& shares = result.area_of_input_face;
   shares.resize(mesh.num_faces());
   for(Mesh::Face_index f : result.mesh.faces())
     shares[ancestry.old_face[f]][result.part_of_face[f]] += PMP::face_area(f, result.mesh);

@@ -70,9 +70,8 @@ private:
   void merge(Index v, Index into)
   {
     if(m_same.unite(v, into))
-      m_findings.add(Finding::MERGED_VERTICES, [&] {
-        return "vertex " + std::to_string(v) + " is merged into vertex " + std::to_string(into);
-      });
+      m_findings.add(Finding::MERGED_VERTICES,
+                     [&] { return "vertex " + std::to_string(v) + " is merged into vertex " + std::to_string(into); });
   }
 
   void collapse_edges()
@@ -87,8 +86,8 @@ private:
       }
   }
 
-  // The faces that have three different corners, with the vertices that stand for others. Corners that follow each other
-  // are different, and so are those on both sides of one.
+  // The faces that have three different corners, with the vertices that stand for others. Corners that follow each
+  // other are different, and so are those on both sides of one.
   void set_faces()
   {
     m_result.corners.clear();
@@ -155,8 +154,8 @@ private:
     bool is_any_merged = false;
     for(std::size_t i = 1; i < border.size(); ++i)
       if(compare(border[i].from, border[i - 1].from) == 0 && compare(border[i].to, border[i - 1].to) == 0)
-        for(const auto& [v, w] : {std::make_pair(border[i].from, border[i - 1].from),
-                                  std::make_pair(border[i].to, border[i - 1].to)})
+        for(const auto& [v, w] :
+            {std::make_pair(border[i].from, border[i - 1].from), std::make_pair(border[i].to, border[i - 1].to)})
         {
           const Index a = m_same.find(v), b = m_same.find(w);
           is_any_merged = is_any_merged || a != b;
@@ -195,7 +194,7 @@ private:
   void leave_out_duplicates()
   {
     const std::size_t n = m_result.size();
-    std::vector<std::pair<std::uint64_t, std::size_t> > order;
+    std::vector<std::pair<std::uint64_t, std::size_t>> order;
     std::vector<Index> corners, others;
     for(std::size_t i = 0; i < n; ++i)
     {
@@ -251,9 +250,9 @@ private:
     });
   }
 
-  // Neighbouring pairs are a region with two layers. At its rim other faces go on: an odd number of them at an edge makes
-  // a surface with one layer, an even number with both, as where two bodies touch. A region without a rim has no inside,
-  // and one layer is left, unless it is a pair alone, which is what a body leaves that has vanished.
+  // Neighbouring pairs are a region with two layers. At its rim other faces go on: an odd number of them at an edge
+  // makes a surface with one layer, an even number with both, as where two bodies touch. A region without a rim has no
+  // inside, and one layer is left, unless it is a pair alone, which is what a body leaves that has vanished.
   void resolve_pairs(const std::vector<Pair>& pairs, std::vector<bool>& is_left_out)
   {
     if(pairs.empty())
@@ -266,7 +265,7 @@ private:
         face_of_corner[c] = static_cast<Index>(i);
 
     Disjoint_sets regions(pairs.size());
-    std::vector<std::array<std::size_t, 2> > rim; // a pair, and the number of other faces at an edge of it
+    std::vector<std::array<std::size_t, 2>> rim; // a pair, and the number of other faces at an edge of it
     Edge_groups(m_soup.points.size(), m_result.corners, m_result.begins)
         .for_each([&](Index, const Edge_groups::Side* begin, const Edge_groups::Side* end) {
           std::size_t others = 0;

@@ -138,10 +138,9 @@ private:
   void lower_count(Index h, std::vector<Index>& faces_at) const
   {
     const Index u = (std::min)(corner(h), corner(next(h))), v = (std::max)(corner(h), corner(next(h)));
-    const auto edge = std::lower_bound(m_crowded.begin(), m_crowded.end(), std::make_pair(u, v),
-                                       [](const Crowded_edge& e, const std::pair<Index, Index>& key) {
-                                         return std::make_pair(e.u, e.v) < key;
-                                       });
+    const auto edge = std::lower_bound(
+        m_crowded.begin(), m_crowded.end(), std::make_pair(u, v),
+        [](const Crowded_edge& e, const std::pair<Index, Index>& key) { return std::make_pair(e.u, e.v) < key; });
     if(edge != m_crowded.end() && edge->u == u && edge->v == v)
       for(const Side& s : edge->sides)
         --faces_at[s.side];
@@ -154,7 +153,7 @@ private:
     const std::size_t n = m_triangles.size();
     std::vector<Index> patch(n, null_index);
     std::vector<bool> is_turned(n, false);
-    std::vector<std::vector<Index> > triangles_of; // of each patch
+    std::vector<std::vector<Index>> triangles_of; // of each patch
     for(Index first = 0; first < n; ++first)
     {
       if(patch[first] != null_index)
@@ -205,10 +204,11 @@ private:
     const Index f = m_triangles.face[h / 3];
     throw Invalid_input(Input_defect::INCONSISTENT_ORIENTATION, f,
                         "inconsistent orientation: the surface cannot be oriented, as a Moebius strip cannot: that "
-                        "shows at " + edge_name(corner(h), corner(next(h))) + " of face " + std::to_string(f));
+                        "shows at " +
+                            edge_name(corner(h), corner(next(h))) + " of face " + std::to_string(f));
   }
 
-  void turn_patches(const std::vector<Index>& patch, const std::vector<std::vector<Index> >& triangles_of,
+  void turn_patches(const std::vector<Index>& patch, const std::vector<std::vector<Index>>& triangles_of,
                     std::vector<bool>& is_turned) const
   {
     typedef std::unordered_map<std::size_t, long long> Shares; // by crowded edge: forth minus back
@@ -254,8 +254,8 @@ private:
     const Point& o = m_points[corner(0)];
     double result = 0;
     for(Index h = 0; h < m_triangles.corners.size(); h += 3)
-      result += CGAL::cross_product(m_points[corner(h)] - o, m_points[corner(h + 1)] - o) *
-                (m_points[corner(h + 2)] - o);
+      result +=
+          CGAL::cross_product(m_points[corner(h)] - o, m_points[corner(h + 1)] - o) * (m_points[corner(h + 2)] - o);
     return result;
   }
 
@@ -266,7 +266,7 @@ private:
     if(m_crowded.empty())
       return;
     const bool is_inside_out = volume() < 0;
-    std::vector<std::vector<std::vector<Side_pair> > > ways;
+    std::vector<std::vector<std::vector<Side_pair>>> ways;
     std::vector<std::size_t> way(m_crowded.size(), 0);
     for(const Crowded_edge& edge : m_crowded)
     {
@@ -276,8 +276,8 @@ private:
       ways.push_back(ways_to_pair(m_points[edge.u], m_points[edge.v], sides, is_inside_out));
       set_pairs(edge, ways.back()[0]);
     }
-    // What becomes of an edge depends on its neighbours: of neighbours one is changed at a time, as long as that does not
-    // take too long.
+    // What becomes of an edge depends on its neighbours: of neighbours one is changed at a time, as long as that does
+    // not take too long.
     const int patience = 200;
     for(int round = 0;; ++round)
     {
@@ -324,7 +324,7 @@ private:
     std::vector<std::size_t> result;
     for(std::size_t e = 0; e < m_crowded.size(); ++e)
     {
-      std::vector<std::pair<Index, Index> > ends; // fans at u and at v
+      std::vector<std::pair<Index, Index>> ends; // fans at u and at v
       for(const Side& s : m_crowded[e].sides)
       {
         if(m_opposite[s.side] != null_index && m_opposite[s.side] < s.side)
@@ -344,8 +344,8 @@ private:
     const Index f = m_triangles.face[edge.sides.front().side / 3];
     throw Invalid_input(Input_defect::NON_MANIFOLD_EDGE, f,
                         "non-manifold edge: " + edge_name(edge.u, edge.v) + " of face " + std::to_string(f) + " has " +
-                        std::to_string(edge.sides.size()) +
-                        " faces, and cannot be made several edges with different ends");
+                            std::to_string(edge.sides.size()) +
+                            " faces, and cannot be made several edges with different ends");
   }
 
   // Two triangles joined along all three edges.

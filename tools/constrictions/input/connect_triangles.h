@@ -15,9 +15,9 @@ namespace constrictions {
 struct Triangles
 {
   std::vector<Index> corners;
-  std::vector<Index> face;      ///< of each triangle, in the file
-  std::vector<bool> is_turned;  ///< filled by `connect_triangles()`
-  std::vector<Index> vertex;    ///< filled by `connect_triangles()`: by vertex, that of the file
+  std::vector<Index> face;     ///< of each triangle, in the file
+  std::vector<bool> is_turned; ///< filled by `connect_triangles()`
+  std::vector<Index> vertex;   ///< filled by `connect_triangles()`: by vertex, that of the file
 
   std::size_t size() const { return face.size(); }
 };
@@ -26,9 +26,8 @@ struct Triangles
 /// vertices come behind the vertices of the file. At the border of the table `opposite` is `null_index`.
 ///
 /// Throws `Invalid_input` for what cannot be oriented, and for an edge that cannot be split.
-CGAL::Surface_mesh_constrictions::internal::Corner_table connect_triangles(const std::vector<Point>& points,
-                                                                          Triangles& triangles,
-                                                                          Mesh_findings& findings);
+CGAL::Surface_mesh_constrictions::internal::Corner_table
+connect_triangles(const std::vector<Point>& points, Triangles& triangles, Mesh_findings& findings);
 
 } // namespace constrictions
 

@@ -192,8 +192,8 @@ private:
     if(!location.contains("triangle"))
       fail("face " + std::to_string(f) + " is no triangle, and \"triangle\" is missing");
     const Json& triangle = array(location, "triangle");
-    if(triangle.size() != 3 || !std::all_of(triangle.begin(), triangle.end(),
-                                            [](const Json& x) { return x.is_number_unsigned(); }))
+    if(triangle.size() != 3 ||
+       !std::all_of(triangle.begin(), triangle.end(), [](const Json& x) { return x.is_number_unsigned(); }))
       fail("\"triangle\" is not three numbers counted from 0");
     return {triangle[0].get<std::uint64_t>(), triangle[1].get<std::uint64_t>(), triangle[2].get<std::uint64_t>()};
   }

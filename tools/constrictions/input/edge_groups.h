@@ -18,8 +18,8 @@ public:
 
   struct Side
   {
-    Index to;   ///< the greater of its vertices
-    Index side; ///< the place of its first corner
+    Index to;      ///< the greater of its vertices
+    Index side;    ///< the place of its first corner
     bool is_forth; ///< whether it runs to the greater vertex
   };
 
@@ -41,9 +41,8 @@ public:
     });
     for(std::size_t v = 0; v < number_of_vertices; ++v)
       std::sort(m_sides.begin() + static_cast<std::ptrdiff_t>(m_first[v]),
-                m_sides.begin() + static_cast<std::ptrdiff_t>(m_first[v + 1]), [](const Side& a, const Side& b) {
-                  return a.to != b.to ? a.to < b.to : a.side < b.side;
-                });
+                m_sides.begin() + static_cast<std::ptrdiff_t>(m_first[v + 1]),
+                [](const Side& a, const Side& b) { return a.to != b.to ? a.to < b.to : a.side < b.side; });
   }
 
   /// calls `f(u, begin, end)` with the sides between u and a greater vertex, for each edge, by its vertices

@@ -9,8 +9,8 @@
 
 namespace constrictions {
 
-/// How the vertices and triangles of a mesh are called in its file. A vector that is empty stands for the same numbers on
-/// both sides.
+/// How the vertices and triangles of a mesh are called in its file. A vector that is empty stands for the same numbers
+/// on both sides.
 struct File_numbering
 {
   std::size_t vertices = 0, faces = 0; ///< of the file

@@ -42,8 +42,8 @@ Border holes_of(const Mesh& mesh, const File_numbering& numbering, Mesh_findings
       findings.add(Finding::BORDER_EDGES, [&] {
         const Mesh::Face_index f = mesh.face(mesh.opposite(h));
         return "the edge between vertices " + std::to_string(numbering.vertex_of(mesh.source(h))) + " and " +
-               std::to_string(numbering.vertex_of(mesh.target(h))) + " of face " + std::to_string(numbering.face_of(f)) +
-               " has no face on its other side";
+               std::to_string(numbering.vertex_of(mesh.target(h))) + " of face " +
+               std::to_string(numbering.face_of(f)) + " has no face on its other side";
       });
     }
     findings.add(Finding::HOLES, [&] {
@@ -63,23 +63,24 @@ void find_t_vertices(const Mesh& mesh, const Border& border, const File_numberin
     const Point &p = mesh.point(mesh.source(border.edges[i])), &q = mesh.point(mesh.target(border.edges[i]));
     const double margin = on_edge * std::sqrt(CGAL::squared_distance(p, q));
     const CGAL::Bbox_3 box = p.bbox() + q.bbox();
-    edges.emplace_back(CGAL::Bbox_3(box.xmin() - margin, box.ymin() - margin, box.zmin() - margin,
-                                    box.xmax() + margin, box.ymax() + margin, box.zmax() + margin),
+    edges.emplace_back(CGAL::Bbox_3(box.xmin() - margin, box.ymin() - margin, box.zmin() - margin, box.xmax() + margin,
+                                    box.ymax() + margin, box.zmax() + margin),
                        i);
     vertices.emplace_back(mesh.point(border.vertices[i]).bbox(), i);
   }
   std::vector<std::size_t> edge_of(border.vertices.size(), border.edges.size()); // the one that the vertex is on
   CGAL::box_intersection_d(edges.begin(), edges.end(), vertices.begin(), vertices.end(),
                            [&](const Box& e, const Box& v) {
-    const Mesh::Halfedge_index h = border.edges[e.info()];
-    const Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &x = mesh.point(border.vertices[v.info()]);
-    const double length = CGAL::squared_distance(p, q);
-    const double along = (x - p) * (q - p) / length;
-    if(along <= very_near || along >= 1 - very_near ||
-       CGAL::squared_distance(p + along * (q - p), x) > on_edge * on_edge * length)
-      return;
-    edge_of[v.info()] = (std::min)(edge_of[v.info()], e.info());
-  });
+                             const Mesh::Halfedge_index h = border.edges[e.info()];
+                             const Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                                         &x = mesh.point(border.vertices[v.info()]);
+                             const double length = CGAL::squared_distance(p, q);
+                             const double along = (x - p) * (q - p) / length;
+                             if(along <= very_near || along >= 1 - very_near ||
+                                CGAL::squared_distance(p + along * (q - p), x) > on_edge * on_edge * length)
+                               return;
+                             edge_of[v.info()] = (std::min)(edge_of[v.info()], e.info());
+                           });
   for(std::size_t i = 0; i < edge_of.size(); ++i)
     if(edge_of[i] != border.edges.size())
       findings.add(Finding::T_VERTICES, [&] {

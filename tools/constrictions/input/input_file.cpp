@@ -20,7 +20,8 @@ namespace {
 void read_to_end(std::FILE& in, std::size_t announced_size, Input_file& file)
 {
   std::size_t filled = 0, got = 0;
-  do {
+  do
+  {
     // one byte more than the announced size, so that the end of the file is seen by the first read
     file.content.resize(filled == 0 ? announced_size + 1 : filled + (std::size_t(1) << 20));
     got = std::fread(file.content.data() + filled, 1, file.content.size() - filled, &in);

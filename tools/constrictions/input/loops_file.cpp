@@ -55,7 +55,7 @@ Loop joined(const Mesh& mesh, const std::vector<Loop>& places)
   for(Mesh::Vertex_index first : places.front())
   {
     // by place, the copies that are reached, each with the one before it
-    std::vector<std::map<Mesh::Vertex_index, Mesh::Vertex_index> > reached(places.size());
+    std::vector<std::map<Mesh::Vertex_index, Mesh::Vertex_index>> reached(places.size());
     reached[0].emplace(first, first);
     for(std::size_t i = 1; i < places.size(); ++i)
       for(Mesh::Vertex_index v : places[i])

@@ -17,9 +17,9 @@ struct Loops
   std::vector<std::size_t> lines; ///< counted from 1
 };
 
-/// reads closed loops, one a line: numbers of vertices of the file of `mesh`, counted from 0 and separated by blanks, the
-/// first not repeated. Empty lines and lines that start with # are passed over. Of the copies of a vertex that was split
-/// those are taken that edges join, if there are such.
+/// reads closed loops, one a line: numbers of vertices of the file of `mesh`, counted from 0 and separated by blanks,
+/// the first not repeated. Empty lines and lines that start with # are passed over. Of the copies of a vertex that was
+/// split those are taken that edges join, if there are such.
 ///
 /// Throws `Input_file_error`, with the number of the line, for anything else. Whether the vertices are joined by edges
 /// is not checked.

@@ -53,8 +53,8 @@ bool is_binary_stl(const std::string& content)
 
 bool is_obj_keyword(std::string_view word)
 {
-  const std::array<std::string_view, 16> keywords = {"v",  "vn", "vt", "vp", "f",  "fo",     "o",      "g",
-                                                     "s",  "l",  "p",  "mg", "mtllib", "usemtl", "V", "call"};
+  const std::array<std::string_view, 16> keywords = {"v", "vn", "vt", "vp", "f",      "fo",     "o", "g",
+                                                     "s", "l",  "p",  "mg", "mtllib", "usemtl", "V", "call"};
   return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
 }
 
@@ -133,8 +133,8 @@ Polygon_soup read_format(const Input_file& file)
 
 using CGAL::Surface_mesh_constrictions::Invalid_input;
 using CGAL::Surface_mesh_constrictions::null_index;
-using CGAL::Surface_mesh_constrictions::internal::Corner_table;
 using CGAL::Surface_mesh_constrictions::internal::check_points;
+using CGAL::Surface_mesh_constrictions::internal::Corner_table;
 using CGAL::Surface_mesh_constrictions::internal::make_corner_table;
 
 // Nothing if anything is to be repaired, or open.
@@ -146,10 +146,9 @@ std::optional<Corner_table> connect_as_it_is(const Polygon_soup& soup)
   {
     Corner_table table = make_corner_table(soup.points.size(), soup.corners);
     check_points(table, soup.points);
-    const bool is_closed =
-        table.halfedges.size() == soup.corners.size() &&
-        std::none_of(table.halfedges.begin(), table.halfedges.end(),
-                     [](const Corner_table::Halfedge& h) { return h.opposite == null_index; });
+    const bool is_closed = table.halfedges.size() == soup.corners.size() &&
+                           std::none_of(table.halfedges.begin(), table.halfedges.end(),
+                                        [](const Corner_table::Halfedge& h) { return h.opposite == null_index; });
     return is_closed ? std::optional<Corner_table>(std::move(table)) : std::nullopt;
   }
   catch(const Invalid_input&)

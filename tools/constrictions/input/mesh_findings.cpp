@@ -81,8 +81,7 @@ std::string summary_of(const Mesh_findings& findings)
   }
   if(findings.count(Finding::NEAR_VERTICES) > 0)
     result += ", " + as_words(Finding::NEAR_VERTICES, findings.count(Finding::NEAR_VERTICES)) + " (" +
-              distances(findings) + " apart; --merge " + short_number(findings.merging_distance) +
-              " merges them)";
+              distances(findings) + " apart; --merge " + short_number(findings.merging_distance) + " merges them)";
   return result;
 }
 
@@ -91,8 +90,8 @@ void refuse_repairs(const Mesh_findings& findings)
   const auto refuse = [&](Finding finding, Input_defect defect) {
     if(findings.count(finding) > 0)
       throw Invalid_input(defect, 0,
-                          findings.places(finding).front() + " (" +
-                          std::to_string(findings.count(finding)) + " such; mended without --strict)");
+                          findings.places(finding).front() + " (" + std::to_string(findings.count(finding)) +
+                              " such; mended without --strict)");
   };
   refuse(Finding::TRIANGULATED, Input_defect::NOT_TRIANGULAR);
   refuse(Finding::DUPLICATE_FACES, Input_defect::NON_MANIFOLD_EDGE);
@@ -108,9 +107,9 @@ void refuse_cracks(const Mesh_findings& findings)
     return;
   throw Invalid_input(Input_defect::NOT_CLOSED, 0,
                       "not closed: " + as_words(Finding::BORDER_EDGES, findings.count(Finding::BORDER_EDGES)) +
-                      " with one face, and " + std::to_string(findings.count(Finding::NEAR_VERTICES)) +
-                      " vertices there lie " + distances(findings) +
-                      " apart from others; --merge " + short_number(findings.merging_distance) + " merges them");
+                          " with one face, and " + std::to_string(findings.count(Finding::NEAR_VERTICES)) +
+                          " vertices there lie " + distances(findings) + " apart from others; --merge " +
+                          short_number(findings.merging_distance) + " merges them");
 }
 
 } // namespace constrictions

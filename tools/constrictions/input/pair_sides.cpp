@@ -69,10 +69,11 @@ std::vector<Side_pair> matched(const std::vector<Side_at_edge>& sides, bool fort
 
 } // namespace
 
-std::vector<std::vector<Side_pair> > ways_to_pair(const Point& u, const Point& v,
-                                                  const std::vector<Side_at_edge>& sides, bool is_inside_out)
+std::vector<std::vector<Side_pair>> ways_to_pair(const Point& u, const Point& v, const std::vector<Side_at_edge>& sides,
+                                                 bool is_inside_out)
 {
-  // The normal of a face that runs forth points counterclockwise around the edge: the inside, if there is one, ends there.
+  // The normal of a face that runs forth points counterclockwise around the edge: the inside, if there is one, ends
+  // there.
   const Angular_order order(u, v, sides.front().apex);
   const auto in_order = [&](bool forth_closes) {
     std::vector<Side_at_edge> result = sides;
@@ -83,7 +84,7 @@ std::vector<std::vector<Side_pair> > ways_to_pair(const Point& u, const Point& v
     });
     return result;
   };
-  std::vector<std::vector<Side_pair> > result;
+  std::vector<std::vector<Side_pair>> result;
   for(bool forth_closes : {!is_inside_out, is_inside_out})
     result.push_back(matched(in_order(forth_closes), forth_closes));
   result.emplace_back();

@@ -63,7 +63,7 @@ private:
   }
 
   double m_distance;
-  std::unordered_map<std::uint64_t, std::vector<Index> > m_cells;
+  std::unordered_map<std::uint64_t, std::vector<Index>> m_cells;
 };
 
 } // namespace constrictions

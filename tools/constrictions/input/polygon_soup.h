@@ -64,7 +64,7 @@ inline Index checked_index(std::size_t face, long long index, std::size_t number
   if(index < 0 || static_cast<unsigned long long>(index) >= number_of_vertices || index >= null_index)
     throw Invalid_input(Input_defect::INVALID_VERTEX_INDEX, face,
                         "invalid vertex index: face " + std::to_string(face) + " refers to vertex " +
-                        std::to_string(index) + " of " + std::to_string(number_of_vertices));
+                            std::to_string(index) + " of " + std::to_string(number_of_vertices));
   return static_cast<Index>(index);
 }
 

@@ -72,8 +72,8 @@ public:
     // An element a line, as nearly all programs write it, and then nothing behind its numbers matters; or numbers that
     // go on over the ends of lines, and then each counts.
     std::exception_ptr failure;
-    for(const auto& [vertices_in_lines, faces_in_lines] : std::array<std::pair<bool, bool>, 4>{
-            {{true, true}, {false, false}, {true, false}, {false, true}}})
+    for(const auto& [vertices_in_lines, faces_in_lines] :
+        std::array<std::pair<bool, bool>, 4>{{{true, true}, {false, false}, {true, false}, {false, true}}})
       try
       {
         m_scanner = counts;

@@ -269,9 +269,8 @@ void read_faces(Body& body, const Element& element, std::size_t corners, std::si
   soup.corners.reserve(3 * (std::min)(element.count, body.remaining() / 4 + 1));
   for_each_list(body, element, corners, [&](const Property& property, long long n) {
     for(long long i = 0; i < n; ++i)
-      soup.corners.push_back(checked_index(soup.number_of_faces(),
-                                           read_vertex_number(body, property.type, number_of_vertices),
-                                           number_of_vertices));
+      soup.corners.push_back(checked_index(
+          soup.number_of_faces(), read_vertex_number(body, property.type, number_of_vertices), number_of_vertices));
     soup.end_face();
   });
 }
@@ -393,8 +392,7 @@ Polygon_soup read_ply(const Input_file& file)
         return read_body(file, scanner, header, false);
       }
       catch(const std::exception&)
-      {
-      }
+      {}
     throw;
   }
 }

@@ -171,8 +171,7 @@ Polygon_soup read_ascii_stl(const Input_file& file)
       return read_words(file);
     }
     catch(const Input_file_error&)
-    {
-    }
+    {}
     throw;
   }
 }

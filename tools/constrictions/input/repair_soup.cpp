@@ -38,8 +38,7 @@ Triangles triangulate(const std::vector<Point>& points, const Clean_faces& faces
     edges.reserve(faces.corners.size());
     for(std::size_t i = 0; i < faces.size(); ++i)
       for(std::size_t c = faces.begins[i]; c < faces.begins[i + 1]; ++c)
-        edges.insert(edge_key(faces.corners[c],
-                              faces.corners[c + 1 == faces.begins[i + 1] ? faces.begins[i] : c + 1]));
+        edges.insert(edge_key(faces.corners[c], faces.corners[c + 1 == faces.begins[i + 1] ? faces.begins[i] : c + 1]));
   }
   for(std::size_t i = 0; i < faces.size(); ++i)
   {
@@ -47,7 +46,8 @@ Triangles triangulate(const std::vector<Point>& points, const Clean_faces& faces
     const Index f = faces.face[i];
     if(soup.degree(f) > 3)
       findings.add(Finding::TRIANGULATED, [&] {
-        return "not a triangle mesh: face " + std::to_string(f) + " has " + std::to_string(soup.degree(f)) + " vertices";
+        return "not a triangle mesh: face " + std::to_string(f) + " has " + std::to_string(soup.degree(f)) +
+               " vertices";
       });
     std::vector<Point> polygon;
     for(std::size_t c = 0; c < faces.degree(i) && faces.degree(i) > 3; ++c)
@@ -130,8 +130,8 @@ Repaired_soup repair_soup(const Polygon_soup& soup, double merging_distance, Mes
   if(triangles.size() == 0)
     throw SMC::Invalid_input(SMC::Input_defect::EMPTY_MESH, 0,
                              "empty mesh: no face is left of " + std::to_string(soup.number_of_faces()) + ": " +
-                             as_words(Finding::DEGENERATE_FACES, findings.count(Finding::DEGENERATE_FACES)) + ", " +
-                             as_words(Finding::DUPLICATE_FACES, findings.count(Finding::DUPLICATE_FACES)));
+                                 as_words(Finding::DEGENERATE_FACES, findings.count(Finding::DEGENERATE_FACES)) + ", " +
+                                 as_words(Finding::DUPLICATE_FACES, findings.count(Finding::DUPLICATE_FACES)));
   for(Index v : triangles.vertex)
     result.points.push_back(soup.points[v]);
 

@@ -21,7 +21,8 @@ struct Repaired_soup
 };
 
 /// makes a triangle mesh of what a file holds, and tells in `findings` what had to be done for it, in this order:
-/// 1. vertices nearer to each other than `merging_distance`, if that is not 0, are merged, each into the first one near;
+/// 1. vertices nearer to each other than `merging_distance`, if that is not 0, are merged, each into the first one
+/// near;
 /// 2. edges of length zero are collapsed;
 /// 3. where border edges have the same ends in space, their vertices are merged;
 /// 4. faces with fewer than three different corners, and faces whose corners another one has, are left out. Of a region
@@ -30,15 +31,15 @@ struct Repaired_soup
 /// 6. triangles without area at edges with more than two faces are left out if that makes no hole;
 /// 7. triangles are turned round, as few as possible;
 /// 8. edges with more than two faces are made several, and vertices with more than one fan of faces too. Of the ways to
-///    pair the faces at an edge the one is taken that keeps solids apart: each face is joined to the next one around the
-///    edge, seen from the inside of the body; if two edges with the same ends would be left, across the outside; and if
-///    that does not help the surface is cut open along the edge;
+///    pair the faces at an edge the one is taken that keeps solids apart: each face is joined to the next one around
+///    the edge, seen from the inside of the body; if two edges with the same ends would be left, across the outside;
+///    and if that does not help the surface is cut open along the edge;
 /// 9. bodies of two faces with the same corners are left out.
 ///
 /// No vertex is moved. Linear but for sorting, and the square of the number of faces at one edge.
 ///
-/// Throws `Invalid_input` for a coordinate that is not finite, for a surface that cannot be oriented, if no face is left,
-/// and for an edge with more than two faces that cannot be made several.
+/// Throws `Invalid_input` for a coordinate that is not finite, for a surface that cannot be oriented, if no face is
+/// left, and for an edge with more than two faces that cannot be made several.
 Repaired_soup repair_soup(const Polygon_soup& soup, double merging_distance, Mesh_findings& findings);
 
 } // namespace constrictions

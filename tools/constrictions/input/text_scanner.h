@@ -14,7 +14,8 @@
 
 namespace constrictions {
 
-/// Reads words and numbers from a text of lines. A word never goes past the end of its line. Lines end in "\n", "\r\n" or
+/// Reads words and numbers from a text of lines. A word never goes past the end of its line. Lines end in "\n", "\r\n"
+/// or
 /// "\r". A comma behind a word is no part of it, and Ctrl-Z, with which old systems end a text, is a blank.
 class Text_scanner
 {

@@ -29,10 +29,9 @@ std::string certificates_as_json(const std::string& mesh_file, const File_number
   Json certificates = Json::array();
   for(const Certified_curve& c : curves)
     certificates.push_back({{"id", c.id}, {"verdict", certificate_as_text(c.certificate)}, {"length", c.length}});
-  const Json json = {
-      {"format", "constrictions-certificates/1"},
-      {"mesh", {{"file", mesh_file}, {"vertices", numbering.vertices}, {"faces", numbering.faces}}},
-      {"certificates", certificates}};
+  const Json json = {{"format", "constrictions-certificates/1"},
+                     {"mesh", {{"file", mesh_file}, {"vertices", numbering.vertices}, {"faces", numbering.faces}}},
+                     {"certificates", certificates}};
   // a file name need not be UTF-8, JSON must be
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

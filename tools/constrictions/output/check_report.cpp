@@ -55,7 +55,7 @@ std::string check_as_text(const Check_report& report)
     out << report.flat_triangles << (report.flat_triangles == 1 ? " triangle" : " triangles") << " without area\n";
   if(report.self_intersections > 0)
     list(std::to_string(report.self_intersections) +
-         (report.self_intersections == 1 ? " pair of triangles intersects" : " pairs of triangles intersect"),
+             (report.self_intersections == 1 ? " pair of triangles intersects" : " pairs of triangles intersect"),
          report.first_intersections, report.self_intersections);
   if(report.is_inside_out)
     out << "the normals point inside\n";
@@ -77,10 +77,14 @@ std::string check_as_json(const Check_report& report)
                     {"first", findings.places(finding)}});
   });
   if(report.flat_triangles > 0)
-    list.push_back({{"kind", "flat_triangles"}, {"count", report.flat_triangles}, {"is_repaired", false},
+    list.push_back({{"kind", "flat_triangles"},
+                    {"count", report.flat_triangles},
+                    {"is_repaired", false},
                     {"first", Json::array()}});
   if(report.self_intersections > 0)
-    list.push_back({{"kind", "self_intersections"}, {"count", report.self_intersections}, {"is_repaired", false},
+    list.push_back({{"kind", "self_intersections"},
+                    {"count", report.self_intersections},
+                    {"is_repaired", false},
                     {"first", report.first_intersections}});
   if(report.is_inside_out)
     list.push_back({{"kind", "inside_out"}, {"count", 1}, {"is_repaired", false}, {"first", Json::array()}});

@@ -14,9 +14,9 @@ namespace constrictions {
 struct Check_report
 {
   std::string mesh_file;
-  Mesh mesh;         ///< as repaired; empty if it was not made
+  Mesh mesh; ///< as repaired; empty if it was not made
   File_record file;
-  std::string refusal; ///< why constrictions of it cannot be computed; empty if they can
+  std::string refusal;                          ///< why constrictions of it cannot be computed; empty if they can
   std::size_t self_intersections = 0;           ///< pairs of triangles
   std::vector<std::string> first_intersections; ///< the first of them
   std::size_t flat_triangles = 0;               ///< triangles without area

@@ -11,8 +11,8 @@ namespace constrictions {
 /// whether `mesh_as_text()` knows the format that the extension of a file name stands for: OFF, OBJ or PLY
 bool is_text_format(const std::string& file_name);
 
-/// a mesh in the format that the extension of the file name stands for, with all digits of its coordinates. Vertices keep
-/// their numbers, those on no face too.
+/// a mesh in the format that the extension of the file name stands for, with all digits of its coordinates. Vertices
+/// keep their numbers, those on no face too.
 std::string mesh_as_text(const Mesh& mesh, const std::string& file_name);
 
 } // namespace constrictions

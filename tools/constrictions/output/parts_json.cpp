@@ -31,7 +31,7 @@ Json face_parts_as_json(const File_numbering& numbering, const Parts& parts)
 {
   if(numbering.face.empty())
     return parts.part_of_input_face;
-  std::vector<std::map<std::size_t, double> > areas(numbering.faces);
+  std::vector<std::map<std::size_t, double>> areas(numbering.faces);
   for(std::size_t t = 0; t < numbering.face.size(); ++t)
     for(const auto& [part, area] : parts.area_of_input_face[t])
       areas[numbering.face[t]][part] += area;

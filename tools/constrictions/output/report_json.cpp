@@ -70,8 +70,9 @@ Json triangle_as_json(const Mesh& mesh, const File_numbering& numbering, Mesh::F
 }
 
 // Faces and vertices are called as in the file. Barycentric coordinates are in the order of the corners of the face
-// there, or, if it is no triangle, in that of the vertices of the piece that is given with it. Two of them are zero at pivots only: a crossing
-// that rounding has moved to an end of its edge is written beside it, so that its edge can be told from the numbers.
+// there, or, if it is no triangle, in that of the vertices of the piece that is given with it. Two of them are zero at
+// pivots only: a crossing that rounding has moved to an end of its edge is written beside it, so that its edge can be
+// told from the numbers.
 Json locations_as_json(const Constriction& c, const Mesh& mesh, const File_numbering& numbering)
 {
   std::vector<Constriction::Face_location> locations;

@@ -69,9 +69,8 @@ std::vector<Polygon_triangle> cut_off_ears(const std::vector<Polygon_point>& poi
     return cross_product(points[b] - points[a], points[c] - points[a]) * normal;
   };
   const auto shape = [&](std::size_t a, std::size_t b, std::size_t c) {
-    const double edges =
-        squared_distance(points[a], points[b]) + squared_distance(points[b], points[c]) +
-        squared_distance(points[c], points[a]);
+    const double edges = squared_distance(points[a], points[b]) + squared_distance(points[b], points[c]) +
+                         squared_distance(points[c], points[a]);
     const Polygon_vector area = cross_product(points[b] - points[a], points[c] - points[a]);
     return edges > 0 ? std::sqrt(area.squared_length()) / edges : 0.;
   };
@@ -93,8 +92,7 @@ std::vector<Polygon_triangle> cut_off_ears(const std::vector<Polygon_point>& poi
         is_ear = is_corner || !(side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0);
       }
       // shapes are at most 1 / (4 sqrt 3)
-      const double rank =
-          shape(a, b, c) + (is_allowed(a, c) ? 4 : 0) + (is_ear ? 2 : turn >= 0 ? 1 : 0);
+      const double rank = shape(a, b, c) + (is_allowed(a, c) ? 4 : 0) + (is_ear ? 2 : turn >= 0 ? 1 : 0);
       if(rank > best_rank)
       {
         best_rank = rank;
@@ -108,10 +106,11 @@ std::vector<Polygon_triangle> cut_off_ears(const std::vector<Polygon_point>& poi
   return result;
 }
 
-// Cuts a polygon, plane or not, convex or not, into n - 2 triangles without new points. `is_allowed(i, j)` tells whether
-// points i and j may be joined by a diagonal: two edges between the same two vertices are no mesh. A diagonal that is
-// not allowed is used only if no way is found without. Quadrangles are cut by the rule of CGAL's `triangulate_face()`,
-// and other polygons by that function; where it fails, or needs a diagonal that is not allowed, ears are cut off.
+// Cuts a polygon, plane or not, convex or not, into n - 2 triangles without new points. `is_allowed(i, j)` tells
+// whether points i and j may be joined by a diagonal: two edges between the same two vertices are no mesh. A diagonal
+// that is not allowed is used only if no way is found without. Quadrangles are cut by the rule of CGAL's
+// `triangulate_face()`, and other polygons by that function; where it fails, or needs a diagonal that is not allowed,
+// ears are cut off.
 template <class IsAllowed>
 std::vector<Polygon_triangle> triangulate_polygon(const std::vector<Polygon_point>& points, IsAllowed is_allowed)
 {
