@@ -104,7 +104,7 @@ void add_prominent_curves(Curve_network& network, std::vector<Index> curves,
         continue;
     }
     const Measured_curve curve = {arcs_of_curve(network, curves[i]), traces[i], lengths[i],
-                                  sides.part(traces[i]).is_separating()};
+                                  sides.part(traces[i]).is_separating(), true};
     Prominence p = prominence(search, curve, (std::max)(minimum_prominence, firm_prominence));
     if(p.value < minimum_prominence)
     {

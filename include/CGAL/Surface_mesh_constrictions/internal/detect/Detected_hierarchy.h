@@ -23,9 +23,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -69,6 +71,8 @@ public:
     {
       merge_coinciding(m_network, found);
       m_entries.resize(refined.size());
+      if(added.empty())
+        forget_wrong_ties(found);
       std::vector<Index> asked; // curves of the network
       for(const Found_curve& f : found)
         if(!entry(f.curve))
@@ -132,6 +136,7 @@ private:
   {
     double prominence;
     bool has_end;
+    bool is_tie = false; // it slides to a curve of the same length
     Index slides_off = null_index;
     std::size_t slides_to = none;       // seed of the curve
     Index image = null_index;           // on the coarse level
@@ -147,6 +152,44 @@ private:
 
     explicit Coarse(const Level_copy& level) : level(level), sides(level.surface()), slides(level.surface(), sides) {}
   };
+
+  // A curve of the same length may have been corrected to the curve that it stands for, or to one that does not stand for
+  // it. Such a curve is measured again, without ties.
+  void forget_wrong_ties(const std::vector<Found_curve>& found)
+  {
+    std::unordered_map<std::size_t, std::size_t> place; // by seed
+    for(std::size_t i = 0; i < found.size(); ++i)
+      for(std::size_t r : m_network.curve(found[i].curve).seeds)
+        place.emplace(r, i);
+    for(std::size_t i = 0; i < found.size(); ++i)
+    {
+      const Entry* const e = entry(found[i].curve);
+      if(e == nullptr || !e->is_tie)
+        continue;
+      const auto to = place.find(destination(*e, place).first);
+      if(to != place.end() && precedes(found[to->second], found[i]))
+        continue;
+      m_without_ties.insert(found[i].curve);
+      for(std::size_t r : m_network.curve(found[i].curve).seeds)
+        if(r < m_entries.size())
+          m_entries[r].reset();
+    }
+  }
+
+  // Whether one of two curves is shorter, or of the same length and the one that stands for both.
+  bool precedes(const Found_curve& a, const Found_curve& b) const
+  {
+    if(std::abs(a.length - b.length) > equal_length_tolerance * b.length)
+      return a.length < b.length;
+    return key(a.curve) < key(b.curve);
+  }
+
+  std::pair<Index, std::uint64_t> key(Index c) const
+  {
+    Index least = null_index;
+    m_network.for_each_arc(c, [&](Index a) { least = (std::min)(least, m_network.arc(a).from); });
+    return {least, m_network.curve(c).hash};
+  }
 
   // Where the way from a curve on leads: to the first curve on it that has been found, by a seed of that; or to a curve
   // of the coarse level.
@@ -181,7 +224,7 @@ private:
     std::vector<Measured_curve> curves;
     for(Index c : asked)
     {
-      Measured_curve m = {arcs_of_curve(m_network, c), {}, m_network.length(c), false};
+      Measured_curve m = {arcs_of_curve(m_network, c), {}, m_network.length(c), false, m_without_ties.count(c) == 0};
       m.trace = accurate_trace(m_pm, m.arcs);
       m.separates = m_sides.part(m.trace).is_separating();
       curves.push_back(std::move(m));
@@ -259,6 +302,7 @@ private:
       else if(p.end == Barrier_end::CURVE)
       {
         e.slides_to = refined.size();
+        e.is_tie = p.length >= curves[i].length * (1 - equal_length_tolerance);
         const Index c = m_network.add_curve(refined.size());
         std::vector<Arc> arcs = p.arcs;
         m_network.set_arcs(c, arcs);
@@ -296,6 +340,7 @@ private:
   std::optional<Coarse> m_coarse;
   std::vector<std::optional<Entry> > m_entries; // by seed: set for one seed of each curve that has been measured
   std::unordered_map<std::size_t, Index> m_curves; // by seed: that a curve that was measured slides to
+  std::unordered_set<Index> m_without_ties;        // curves of the network
   std::vector<Index> m_passed;                     // curves of the network that are not found, but were measured
 };
 

@@ -58,13 +58,14 @@ public:
   Boundary_tightener& tightener() { return m_tightener; }
 
   // Searches from a simple closed geodesic with this trace, up to a length. The sides of a curve that does not separate
-  // meet. O(m log m) for m faces swept, plus the tightening of O(log) boundaries.
+  // meet. Curves of the same length are looked for `with_ties` only. O(m log m) for m faces swept, plus the tightening of O(log) boundaries.
   Barrier search(const std::vector<Arc>& arcs, const std::vector<Trace_point>& trace, bool separates,
-                 double greatest_length)
+                 double greatest_length, bool with_ties = true)
   {
     m_start = m_tightener.enter(arcs);
     m_length = m_tightener.length(m_start);
     m_separates = separates;
+    m_with_ties = with_ties;
     m_lowest = {(std::numeric_limits<double>::infinity)(), Barrier_end::NONE, null_index, Strip(), null_index};
     for(Side& s : m_sides)
       s.restart(m_length);
@@ -187,7 +188,8 @@ private:
         m_tightener.tighten(m_sweep.boundary(s, level), m_sides[s].lengths[level], m_length + tolerance);
     if(b.length > m_length + tolerance || !b.is_simple || (b.longest == null_index && !m_separates))
       return false;
-    if(b.length >= m_length - tolerance && (b.longest == m_start || !m_tightener.precedes(b.longest, m_start)))
+    if(b.length >= m_length - tolerance &&
+       (!m_with_ties || b.longest == m_start || !m_tightener.precedes(b.longest, m_start)))
       return false;
     found.end = b.longest == null_index ? Barrier_end::POINT : Barrier_end::CURVE;
     found.curve = b.longest;
@@ -201,7 +203,7 @@ private:
   std::array<Side, 2> m_sides;
   Index m_start = null_index; // the curve, of the tightener
   double m_length = 0;        // of the curve
-  bool m_separates = true;
+  bool m_separates = true, m_with_ties = true;
   Barrier m_lowest;
 };
 

@@ -31,6 +31,7 @@ struct Measured_curve
   std::vector<Trace_point> trace;
   double length;
   bool separates;
+  bool with_ties = true; // whether another curve of the same length may stand for it
 };
 
 // A barrier relative to the length of its curve, less one, and what lies behind it.
@@ -39,6 +40,7 @@ struct Prominence
   double value;
   Barrier_end end;
   std::vector<Arc> arcs; // of the shorter curve, if `end` is CURVE
+  double length = 0;     // of that
   Strip strip;           // of a closed curve that shortens to it
   Index vertex;          // over which the curve slides off, if `end` is POINT
 };
@@ -46,10 +48,14 @@ struct Prominence
 // The prominence of one curve, up to a greatest value.
 inline Prominence prominence(Barrier_search& search, const Measured_curve& curve, double greatest)
 {
-  Barrier b = search.search(curve.arcs, curve.trace, curve.separates, (1 + greatest) * curve.length);
-  Prominence result = {b.length / curve.length - 1, b.end, {}, std::move(b.strip), b.vertex};
+  Barrier b = search.search(curve.arcs, curve.trace, curve.separates, (1 + greatest) * curve.length,
+                            curve.with_ties);
+  Prominence result = {b.length / curve.length - 1, b.end, {}, 0, std::move(b.strip), b.vertex};
   if(b.end == Barrier_end::CURVE)
+  {
     result.arcs = search.tightener().arcs(b.curve);
+    result.length = search.tightener().length(b.curve);
+  }
   return result;
 }
 
