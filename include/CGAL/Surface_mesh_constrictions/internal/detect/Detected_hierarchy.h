@@ -86,6 +86,8 @@ public:
       std::vector<Found_curve> held;
       for(const Found_curve& f : added)
       {
+        if(m_network.is_empty(f.curve))
+          continue;
         const Entry& e = *entry(f.curve);
         if(e.prominence < negligible_prominence && e.slides_off == null_index && e.has_end)
         {
@@ -264,9 +266,6 @@ private:
       const auto known = least.find(image);
       return known != least.end() && known->second < length;
     };
-    for(Index c : m_passed)
-      if(!m_network.is_empty(c))
-        distinct.insert(c);
     for(const Found_curve& f : found)
       if(const Entry* e = entry(f.curve))
       {
@@ -279,9 +278,15 @@ private:
       if(i < number_found)
         note_image(images[i], curves[i].length);
     }
+    // what is not found gives way to an equal curve that is
+    for(Index c : m_passed)
+      if(!m_network.is_empty(c))
+        distinct.insert(c);
     std::vector<Found_curve> added;
     for(std::size_t i = 0; i < asked.size(); ++i)
     {
+      if(m_network.is_empty(asked[i]))
+        continue;
       const Prominence& p = prominences_of[i];
       Entry e;
       e.image = images[i];
