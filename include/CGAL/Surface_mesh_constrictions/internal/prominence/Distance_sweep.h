@@ -70,8 +70,11 @@ public:
     {
       const Trace_point &p = trace[i], &q = trace[(i + 1) % trace.size()];
       const Index h = p.is_pivot() && q.is_pivot() ? m_pm.halfedge(p.pivot, q.pivot) : null_index;
-      if(h != null_index && m_pm.is_on_boundary(h))
-        m_sides[m_pm.is_ghost_face(m_pm.face(h)) ? 0 : 1].rims.add(m_pm, m_lengths, h, 0, 0, 0);
+      if(h == null_index || !m_pm.is_on_boundary(h))
+        continue;
+      const std::size_t s = m_pm.is_ghost_face(m_pm.face(h)) ? 0 : 1; // the side of the hole
+      m_sides[s].rims.add(m_pm, m_lengths, h, 0, 0, 0);
+      m_sides[1 - s].rims.take_away(m_pm, m_lengths, h);
     }
     start_front(m_pm, trace, m_front, m_sides[0].start, m_sides[1].start);
     for(Index v : m_vertices)
@@ -101,7 +104,7 @@ public:
     }
     ++side.level;
     side.pieces = side.lengths.lengths(side.level);
-    if(m_pm.has_boundary())
+    if(m_pm.has_boundary() && !is_used_up(s))
       side.rims.for_each(m_scale.level(side.level),
                          [&side](std::size_t c, double length) { side.pieces.emplace_back(c, length); });
     side.length = 0;
@@ -327,9 +330,8 @@ private:
     const Index begin = h;
     do {
       const Index f = m_pm.face(h);
-      if(m_pm.has_boundary() && m_pm.is_on_boundary(h) && m_front.is_settled(m_pm.target(h), s))
-        m_sides[s].rims.add(m_pm, m_lengths, h, m_front.distance(v), m_front.distance(m_pm.target(h)),
-                            m_class.has(v) ? m_class[v] : 0);
+      if(m_pm.has_boundary() && m_pm.is_on_boundary(h) && m_front.is_settled(m_pm.target(h)))
+        note_boundary_edge(h, s);
       if(!m_front.is_barred(f))
       {
         const bool u = m_front.is_settled(m_pm.target(h), s), w = m_front.is_settled(m_pm.source(m_pm.prev(h)), s);
@@ -340,6 +342,18 @@ private:
       }
       h = m_pm.ccw(h);
     } while(h != begin);
+  }
+
+  // The ends of a boundary edge are settled, its source has just been, on side s.
+  void note_boundary_edge(Index h, std::size_t s)
+  {
+    const Index v = m_pm.source(h), w = m_pm.target(h);
+    m_sides[1 - s].rims.take_away(m_pm, m_lengths, h);
+    if(m_front.is_settled(w, s))
+      m_sides[s].rims.add(m_pm, m_lengths, h, m_front.distance(v), m_front.distance(w),
+                          m_class.has(v) ? m_class[v] : 0);
+    else
+      m_sides[s].rims.take_away(m_pm, m_lengths, h);
   }
 
   // Classifies a vertex that has just been settled after a settled neighbour, and then those settled neighbours that

@@ -14,10 +14,10 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// How the level sets of a sweep are closed on a surface with boundary. A level set that meets a hole ends on its
-// boundary. It is closed along the boundary: by the part that has been swept, or by the one that has not, whichever is
-// shorter. So the sweep slides over a hole as if that were filled by a flat piece, and at the open end of a tube it
-// comes off when its rim has been passed.
+// How the level sets of one side of a sweep are closed on a surface with boundary. A level set that meets a hole ends
+// on its boundary. It is closed along the boundary: by the part that has been swept, or by the one that neither side
+// has swept, whichever is shorter. So the sweep slides over a hole as if that were filled by a flat piece, and at the
+// open end of a tube it comes off when its rim has been passed.
 class Rim_lengths
 {
 public:
@@ -27,22 +27,15 @@ public:
   // first edge of a hole costs as much as the hole has edges.
   void add(const Progressive_mesh& pm, const Edge_lengths& lengths, Index h, double low, double high, std::size_t c)
   {
-    if(!pm.is_ghost_face(pm.face(h)))
-      h = pm.opposite(h);
-    const Index ghost = pm.source(pm.prev(h));
-    Hole& hole = m_holes[ghost];
-    if(hole.total == 0)
-    {
-      const Index begin = pm.outgoing(ghost);
-      Index g = begin;
-      do
-      {
-        hole.total += lengths[pm.next(g)];
-        g = pm.ccw(g);
-      } while(g != begin);
-    }
+    Hole& hole = this->hole(pm, lengths, h);
     hole.pieces.push_back({(std::min)(low, high), (std::max)(low, high), lengths[h]});
     hole.c = c;
+  }
+
+  // Takes away a boundary edge that the other side has swept.
+  void take_away(const Progressive_mesh& pm, const Edge_lengths& lengths, Index h)
+  {
+    hole(pm, lengths, h).total -= lengths[h];
   }
 
   // Calls f(class, length) for each hole that the level set at a distance is closed along. Distances must not fall from
@@ -79,10 +72,31 @@ private:
 
   struct Hole
   {
-    double total = 0, passed = 0; // of the boundary, and of what has been swept of it
+    double total = 0, passed = 0; // of the boundary, and of what this side has swept of it
     std::vector<Piece> pieces;    // the rest of what is known of it
     std::size_t c = 0;
   };
+
+  // The hole at a boundary edge.
+  Hole& hole(const Progressive_mesh& pm, const Edge_lengths& lengths, Index h)
+  {
+    if(!pm.is_ghost_face(pm.face(h)))
+      h = pm.opposite(h);
+    const Index ghost = pm.source(pm.prev(h));
+    const auto inserted = m_holes.emplace(ghost, Hole());
+    Hole& result = inserted.first->second;
+    if(inserted.second)
+    {
+      const Index begin = pm.outgoing(ghost);
+      Index g = begin;
+      do
+      {
+        result.total += lengths[pm.next(g)];
+        g = pm.ccw(g);
+      } while(g != begin);
+    }
+    return result;
+  }
 
   std::map<Index, Hole> m_holes; // by ghost vertex
 };
