@@ -3,7 +3,6 @@
 #include "include/enumerate_constrictions.h"
 #include "include/geodesic_check.h"
 #include "include/open_meshes.h"
-#include "include/same_curves.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
@@ -15,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -92,7 +92,7 @@ TEST(Boundary, ABandThatEndsAtTheBoundaryIsProvedToHold)
   const std::vector<Constriction> curves = detect_all(mesh);
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_EQ(curves[0].certificate().verdict, SMC::Certificate_verdict::CONSTRICTION);
-  EXPECT_EQ(curves[0].certificate().flat_band_width, 3);
+  EXPECT_NEAR(curves[0].certificate().flat_band_width, 3, 1e-12);
   EXPECT_EQ(curves[0].length(), 8);
   expect_proved(mesh, curves);
 }
@@ -140,40 +140,58 @@ TEST(Boundary, ADiscHasNone)
   }
 }
 
-std::vector<same_curves::Summary> summaries(const Soup& soup)
+// The cyclic sequence of a curve's pivots and crossed edges by their vertices, the same for both directions and every
+// start.
+typedef std::vector<std::array<std::size_t, 2>> Key;
+
+Key key(const Mesh& mesh, const Constriction& curve)
 {
-  return same_curves::detect(test_meshes::make_mesh(soup), parameters(Asked()));
+  Key nodes, least;
+  for(const Constriction::Location& l : curve.locations())
+  {
+    const std::size_t u = l.is_pivot ? l.vertex.idx() : mesh.source(l.halfedge).idx();
+    const std::size_t v = l.is_pivot ? l.vertex.idx() : mesh.target(l.halfedge).idx();
+    nodes.push_back({{std::min(u, v), std::max(u, v)}});
+  }
+  for(int direction = 0; direction < 2; ++direction)
+  {
+    for(std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      std::rotate(nodes.begin(), nodes.begin() + 1, nodes.end());
+      if(least.empty() || nodes < least)
+        least = nodes;
+    }
+    std::reverse(nodes.begin(), nodes.end());
+  }
+  return least;
 }
 
-// Necks far from a hole are as they are without it, bit for bit: a face, a patch or an end may be missing.
+std::set<Key> selected_keys(const Soup& soup)
+{
+  const Mesh mesh = test_meshes::make_mesh(soup);
+  std::set<Key> keys;
+  for(const Constriction& c : detect(mesh))
+    keys.insert(key(mesh, c));
+  return keys;
+}
+
+// Necks far from a hole are the same curves as without it: a face, a patch or an end may be missing.
 TEST(Boundary, OpenVersionsKeepTheNecks)
 {
-  for(unsigned seed = 0; seed < 2; ++seed)
-  {
-    const Soup closed = test_meshes::chain_of_necks(0.02, seed);
-    const std::vector<same_curves::Summary> necks = summaries(closed);
-    ASSERT_GE(necks.size(), 4u);
-    const std::size_t bottom = closed.points.size() - 2, top = bottom + 1;
-    const std::vector<Soup> open = {open_meshes::without_face(closed, 10),
-                                    open_meshes::without_star(closed, 25),
-                                    open_meshes::without_star(closed, bottom),
-                                    open_meshes::without_star(closed, top),
-                                    open_meshes::without_star(open_meshes::without_star(closed, top), bottom),
-                                    open_meshes::without_star(open_meshes::without_star(closed, 25), top)};
-    for(const Soup& soup : open)
-    {
-      const std::vector<same_curves::Summary> found = summaries(soup);
-      for(std::size_t i = 0; i < 4; ++i)
-        EXPECT_TRUE(std::find(found.begin(), found.end(), necks[i]) != found.end()) << "neck " << i << " of " << seed;
-    }
-  }
+  const Soup closed = test_meshes::chain_of_necks(0.02, 1);
+  const std::set<Key> necks = selected_keys(closed);
+  ASSERT_EQ(necks.size(), 4u);
+  const std::size_t bottom = closed.points.size() - 2, top = bottom + 1;
+  for(const Soup& open : {open_meshes::without_face(closed, 10), open_meshes::without_star(closed, 25),
+                          open_meshes::without_star(open_meshes::without_star(closed, top), bottom)})
+    EXPECT_EQ(selected_keys(open), necks);
 }
 
-// A ring of n vertices on a circle of radius 1 between two of radius 2; a vertex of the ring is missing.
+// A narrow ring of vertices on a circle of radius 1; a vertex of the ring is missing.
 TEST(Boundary, AHoleTouchedByANeckBendsItAroundTheHole)
 {
   const int n = 12;
-  const Soup tube = open_meshes::open_tube(n, {{{2, -1}}, {{1.5, -0.5}}, {{1, 0}}, {{1.5, 0.5}}, {{2, 1}}});
+  const Soup tube = open_meshes::open_tube(n, {{{2, -1}}, {{1.05, -0.1}}, {{1, 0}}, {{1.05, 0.1}}, {{2, 1}}});
   std::size_t on_ring = 0;
   while(tube.points[on_ring][2] != 0)
     ++on_ring;

@@ -85,6 +85,8 @@ private:
     m_segments_from.resize(m_mesh.number_of_vertices());
     for(Vertex v : m_mesh.vertices())
     {
+      if(m_mesh.is_isolated(v))
+        continue;
       const Halfedge begin = first_halfedge(v);
       Halfedge h = begin;
       double sum = 0;

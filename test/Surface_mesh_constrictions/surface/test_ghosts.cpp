@@ -104,7 +104,10 @@ TEST(Ghosts, CollapsesKeepTheHolesAndSplitsRestoreThem)
 
     const SMC::internal::Level_copy copy(pm);
     expect_filled(copy.surface(), 6);
-    EXPECT_EQ(copy.surface().number_of_vertices(), simplified.number_of_vertices());
+    std::size_t vertices = 0;
+    for(Mesh::Vertex_index v : simplified.vertices())
+      vertices += !simplified.is_isolated(v);
+    EXPECT_EQ(copy.surface().number_of_vertices(), vertices);
 
     pm.go_to_level(0);
     for(Index h = 0; h < pm.number_of_halfedge_ids(); ++h)
