@@ -15,7 +15,8 @@ namespace Surface_mesh_constrictions {
 struct Detection_statistics
 {
   std::size_t collapses = 0;    ///< edge collapses of the simplification
-  std::size_t seeds = 0;        ///< seed curves
+  std::size_t seeds = 0;        ///< seed curves of the sources
+  std::size_t barriers = 0;     ///< further seeds: what a constriction becomes that is moved over its lowest barrier
   std::size_t degenerate = 0;   ///< seeds that shortened to a point
   std::size_t discarded = 0;    ///< seeds given up on a coarse level, where they lead to what would not be selected
   std::size_t not_simple = 0;   ///< seeds that ended in a curve that crosses or touches itself

@@ -224,7 +224,6 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   std::vector<Refined_curve>& refined = carried.refined;
   Detection_statistics statistics;
   statistics.collapses = carried.collapses;
-  statistics.seeds = seeds.size();
 
   visitor.on_stage_begin(Detection_stage::TIGHTENING, refined.size());
   internal::Curve_network network(pm, false);
@@ -254,11 +253,14 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
 
   visitor.on_stage_begin(Detection_stage::SELECTION, found.size());
   internal::Detected_hierarchy hierarchy(pm, coarse ? &*coarse : nullptr, sides, network);
-  statistics.merged +=
+  const std::size_t passed =
       hierarchy.close<ConcurrencyTag>(found, refined, seeds, [&](std::vector<internal::Found_curve>& curves) {
         certify(curves, [](std::size_t) {});
       });
-  statistics.seeds = seeds.size();
+  statistics.barriers = static_cast<std::size_t>(std::count_if(
+      seeds.begin(), seeds.end(), [](const Seed_curve& seed) { return seed.origin == Seed_origin::BARRIER; }));
+  statistics.seeds = seeds.size() - statistics.barriers;
+  statistics.barriers -= passed;
   internal::Constriction_maker<TriangleMesh> maker(imported, pm, sides);
   std::vector<Constriction<TriangleMesh> > constrictions, selected;
   std::vector<std::vector<internal::Trace_point> > traces;

@@ -46,7 +46,7 @@ std::vector<Constriction> detect(const Mesh& mesh, Seed_detection detection = Se
                     detection, SMC::parameters::tightening_schedule(
                                    schedule, CGAL::parameters::visitor(Statistics_taker(s))))));
   EXPECT_EQ(s.not_selected, 0u);
-  EXPECT_EQ(s.seeds, s.degenerate + s.not_simple + s.merged + result.size());
+  EXPECT_EQ(s.seeds + s.barriers, s.degenerate + s.not_simple + s.merged + result.size());
   std::size_t seeds = 0;
   for(std::size_t i = 0; i < result.size(); ++i)
   {
@@ -242,7 +242,7 @@ TEST(Detection, SeveralPoliciesFindWhatEachOfThemFinds)
             true, SMC::parameters::simplification_policies(
                       policies, SMC::parameters::seed_detection(Seed_detection::ON_APPEARANCE,
                                                                 CGAL::parameters::visitor(Statistics_taker(s))))));
-    EXPECT_EQ(s.seeds, s.degenerate + s.not_simple + s.merged + result.size());
+    EXPECT_EQ(s.seeds + s.barriers, s.degenerate + s.not_simple + s.merged + result.size());
     return lengths(result);
   };
   SMC::Detection_statistics g, l, e, all, alone;
@@ -277,7 +277,7 @@ TEST(Detection, EverySeedIsAccountedForWhenSomeAreDiscardedEarly)
                               CGAL::parameters::visitor(Statistics_taker(s)));
     EXPECT_GT(s.discarded, 0u);
     EXPECT_EQ(s.not_certified, 0u);
-    EXPECT_EQ(s.seeds,
+    EXPECT_EQ(s.seeds + s.barriers,
               s.degenerate + s.discarded + s.not_simple + s.merged + s.not_selected + result.size());
   }
 }
@@ -317,7 +317,7 @@ TEST(Detection, CurvesThatAreTooLongToBeSelectedAreNotCertified)
             SMC::parameters::maximum_isoperimetric_ratio(
                 ratio, SMC::parameters::all_constrictions(
                            all, CGAL::parameters::visitor(Certification_size(s, curves))))));
-    EXPECT_EQ(s.seeds, s.degenerate + s.merged + s.not_selected + result.size());
+    EXPECT_EQ(s.seeds + s.barriers, s.degenerate + s.merged + s.not_selected + result.size());
     EXPECT_EQ(s.discarded, 0u);
     return curves;
   };

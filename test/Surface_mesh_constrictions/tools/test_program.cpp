@@ -91,7 +91,7 @@ TEST_F(Program, detect_prints_json_only)
   }
 
   const auto& statistics = j["statistics"];
-  EXPECT_EQ(keys(statistics), (Keys{"collapses", "seeds", "degenerate", "discarded", "merged", "not_simple", "leaky_bands",
+  EXPECT_EQ(keys(statistics), (Keys{"collapses", "seeds", "degenerate", "discarded", "merged", "not_simple", "leaky_bands", "barriers",
                                     "not_certified", "not_selected", "corrected", "signs"}));
   EXPECT_EQ(keys(statistics["signs"]),
             (Keys{"interval", "multiprecision", "finite_field", "algebra", "unproved"}));

@@ -138,7 +138,9 @@ TEST_F(Program_repair, polygons_through_all_commands)
   for(std::size_t f = 0; f < 42; ++f) // faces below the neck, and the bottom, are one part
     EXPECT_EQ(parts.at("face_parts")[f] == parts.at("face_parts")[40], f < 20 || f == 40) << f;
   if(CONSTRICTIONS_HAS_VIEWER)
+  {
     EXPECT_EQ(run("view a.obj -o a.html").exit_code, 0);
+  }
 }
 
 TEST_F(Program_repair, a_piece_may_be_given_in_any_order)

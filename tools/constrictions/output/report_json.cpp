@@ -167,6 +167,7 @@ std::string report_as_json(const Report& report)
                        {"merged", s.merged},
                        {"not_simple", s.not_simple},
                        {"leaky_bands", s.leaky_bands},
+                       {"barriers", s.barriers},
                        {"not_certified", s.not_certified},
                        {"not_selected", s.not_selected},
                        {"corrected", s.corrected},

@@ -59,13 +59,12 @@ public:
 
   // Measures the curves that have been found, and adds those that they slide to: to `found`, sorted by length and each
   // once, and their seeds to `refined` and `seeds`. A curve on the way that hardly holds itself is passed by.
-  // certify(found) certifies new curves, and drops those that are no constrictions. Returns the number of curves passed
-  // by. Cost: that of `Barrier_search::search()` for each curve.
+  // certify(found) certifies new curves, and drops those that are no constrictions. Returns the number of seeds of curves
+  // passed by. Cost: that of `Barrier_search::search()` for each curve.
   template <class ConcurrencyTag, class Certify>
   std::size_t close(std::vector<Found_curve>& found, std::vector<Refined_curve>& refined,
                     std::vector<Seed_curve>& seeds, const Certify& certify)
   {
-    std::size_t passed = 0;
     std::vector<Found_curve> added; // not measured yet
     for(;;)
     {
@@ -81,7 +80,7 @@ public:
       for(const Found_curve& f : added)
         asked.push_back(f.curve);
       if(asked.empty())
-        return passed;
+        return number_of_passed_seeds();
       std::vector<Found_curve> next = measure<ConcurrencyTag>(asked, number_found, found, refined, seeds);
       std::vector<Found_curve> held;
       for(const Found_curve& f : added)
@@ -90,10 +89,7 @@ public:
           continue;
         const Entry& e = *entry(f.curve);
         if(e.prominence < negligible_prominence && e.slides_off == null_index && e.has_end)
-        {
-          ++passed;
           m_passed.push_back(f.curve);
-        }
         else
           held.push_back(f);
       }
@@ -154,6 +150,15 @@ private:
 
     explicit Coarse(const Level_copy& level) : level(level), sides(level.surface()), slides(level.surface(), sides) {}
   };
+
+  std::size_t number_of_passed_seeds() const
+  {
+    std::size_t sum = 0;
+    for(Index c : m_passed)
+      if(!m_network.is_empty(c))
+        sum += m_network.curve(c).seeds.size();
+    return sum;
+  }
 
   // A curve of the same length may have been corrected to the curve that it stands for, or to one that does not stand for
   // it. Such a curve is measured again, without ties.

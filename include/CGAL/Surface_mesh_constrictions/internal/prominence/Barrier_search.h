@@ -58,18 +58,61 @@ public:
   Boundary_tightener& tightener() { return m_tightener; }
 
   // Searches from a simple closed geodesic with this trace, up to a length. The sides of a curve that does not separate
-  // meet. Curves of the same length are looked for `with_ties` only. O(m log m) for m faces swept, plus the tightening of O(log) boundaries.
+  // meet. Curves of the same length are looked for `with_ties` only. O(m log m) for m faces swept, plus the tightening of
+  // O(log) boundaries, a few times.
   Barrier search(const std::vector<Arc>& arcs, const std::vector<Trace_point>& trace, bool separates,
                  double greatest_length, bool with_ties = true)
   {
-    m_start = m_tightener.enter(arcs);
-    m_length = m_tightener.length(m_start);
+    m_goal = m_tightener.enter(arcs);
+    m_goal_length = m_tightener.length(m_goal);
     m_separates = separates;
     m_with_ties = with_ties;
+    m_neighbours.clear();
+    Barrier best = sweep(m_goal, trace, greatest_length);
+    // Around a bend level sets fall behind on the outside. Where they have come into the basin of a longer curve, the
+    // sweep from that one is better aligned; the lowest such curve first.
+    std::vector<Index> passed(1, m_goal);
+    for(std::size_t i = 0; i < most_detours; ++i)
+    {
+      const auto lowest = std::min_element(m_neighbours.begin(), m_neighbours.end(),
+                                           [](const Neighbour& x, const Neighbour& y) { return x.barrier < y.barrier; });
+      if(lowest == m_neighbours.end() || lowest->barrier >= best.length)
+        break;
+      const Neighbour by = *lowest;
+      m_neighbours.erase(lowest);
+      if(std::find(passed.begin(), passed.end(), by.curve) != passed.end())
+        continue;
+      passed.push_back(by.curve);
+      m_barrier_before = by.barrier;
+      Barrier found =
+          sweep(by.curve, internal::trace(m_tightener.surface(), m_tightener.arcs(by.curve)), best.length);
+      found.length = (std::max)(found.length, by.barrier);
+      if((found.end == Barrier_end::CURVE || found.end == Barrier_end::POINT) && found.length < best.length)
+        best = std::move(found);
+    }
+    m_barrier_before = 0;
+    return best;
+  }
+
+private:
+  // A longer curve into whose basin a sweep has come, and the greatest length on the way there.
+  struct Neighbour
+  {
+    Index curve;
+    double barrier;
+  };
+
+  static constexpr std::size_t most_detours = 16;
+
+  // Searches the lowest barrier on the way from a curve to one that is shorter than the goal.
+  Barrier sweep(Index start, const std::vector<Trace_point>& trace, double greatest_length)
+  {
+    m_start = start;
+    m_length = m_tightener.length(start);
     m_lowest = {(std::numeric_limits<double>::infinity)(), Barrier_end::NONE, null_index, Strip(), null_index};
     for(Side& s : m_sides)
       s.restart(m_length);
-    m_sweep.start(trace, m_length, !separates);
+    m_sweep.start(trace, m_length, !m_separates);
     for(;;)
     {
       std::size_t s = m_sides[1].highest() < m_sides[0].highest() ? 1 : 0;
@@ -89,7 +132,6 @@ public:
     return std::move(m_lowest);
   }
 
-private:
   struct Side
   {
     bool is_done;
@@ -133,7 +175,7 @@ private:
     const bool is_used_up = m_sweep.is_used_up(s);
     side.peak = (std::max)(side.peak, length);
     side.is_done = is_used_up;
-    const bool is_below = length < m_length * (1 - equal_length_tolerance);
+    const bool is_below = length < m_goal_length * (1 - equal_length_tolerance);
     if(is_used_up || (is_below && level >= side.next_level_below) || side.highest() >= side.next_height ||
        length < side.peak * (1 - drop))
       look(s, level);
@@ -183,14 +225,19 @@ private:
   // that stands for both. If so, its end is written to `found`.
   bool is_behind(std::size_t s, std::size_t level, Barrier& found)
   {
-    const double tolerance = equal_length_tolerance * m_length;
+    const double tolerance = equal_length_tolerance * m_goal_length;
     Tightened_boundary b =
         m_tightener.tighten(m_sweep.boundary(s, level), m_sides[s].lengths[level], m_length + tolerance);
-    if(b.length > m_length + tolerance || !b.is_simple || (b.longest == null_index && !m_separates))
+    if(!b.is_simple || (b.longest == null_index && !m_separates))
       return false;
-    if(b.length >= m_length - tolerance &&
-       (!m_with_ties || b.longest == m_start || !m_tightener.precedes(b.longest, m_start)))
+    if(b.length > m_goal_length + tolerance ||
+       (b.length >= m_goal_length - tolerance &&
+        (!m_with_ties || b.longest == m_goal || !m_tightener.precedes(b.longest, m_goal))))
+    {
+      if(b.longest != m_start && b.longest != m_goal && b.length == m_tightener.length(b.longest))
+        m_neighbours.push_back({b.longest, (std::max)(m_sides[s].highest_up_to[level], m_barrier_before)});
       return false;
+    }
     found.end = b.longest == null_index ? Barrier_end::POINT : Barrier_end::CURVE;
     found.curve = b.longest;
     found.strip = std::move(b.strip);
@@ -201,8 +248,12 @@ private:
   Distance_sweep m_sweep;
   Boundary_tightener m_tightener;
   std::array<Side, 2> m_sides;
-  Index m_start = null_index; // the curve, of the tightener
-  double m_length = 0;        // of the curve
+  Index m_goal = null_index;  // the curve that is to become shorter, of the tightener
+  double m_goal_length = 0;
+  Index m_start = null_index; // the curve that is swept from, of the tightener
+  double m_length = 0;        // of that
+  std::vector<Neighbour> m_neighbours;
+  double m_barrier_before = 0; // the greatest length on the way to the curve that is swept from
   bool m_separates = true, m_with_ties = true;
   Barrier m_lowest;
 };

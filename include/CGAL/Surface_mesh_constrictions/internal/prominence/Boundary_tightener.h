@@ -61,6 +61,8 @@ public:
   // The number of the closed geodesic that a closed path of edges is tightened to; null_index if it shortens to a point.
   Index tighten(const std::vector<Index>& path) { return end(m_network.add_curve(0, path)); }
 
+  const Progressive_mesh& surface() const { return m_network.surface(); }
+
   // The curve of a number.
   std::vector<Arc> arcs(Index c) const { return arcs_of_curve(m_network, c); }
   double length(Index c) const { return m_length[c]; }
