@@ -67,7 +67,7 @@ TEST_F(Program, detect_prints_json_only)
   ASSERT_EQ(j["constrictions"].size(), 1u);
   const auto& c = j["constrictions"][0];
   EXPECT_EQ(keys(c), (Keys{"id", "length", "points", "locations", "pivots", "certificate", "side", "separating",
-                           "areas", "genera", "isoperimetric_ratio", "prominence", "dominated_by", "rim",
+                           "areas", "genera", "isoperimetric_ratio", "prominence", "dominated_by", "slides_off", "rim",
                            "boundary_share", "seed"}));
   EXPECT_EQ(c["id"], 0);
   EXPECT_DOUBLE_EQ(c["length"], 4);
