@@ -144,7 +144,7 @@ TEST(Caps, VolumesOfPartsAddUpWhereCurvesTouchAndShareEdges)
 // The triangles at a cut are in one part and, turned over, in the other.
 TEST(Caps, ThoseOfOneCutAreTheSameSurface)
 {
-  Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.2, 5));
+  Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.1, 3));
   std::vector<Curve> curves;
   SMC::detect_constrictions(mesh, std::back_inserter(curves));
   ASSERT_EQ(curves.size(), 1u);
