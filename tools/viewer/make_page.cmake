@@ -14,8 +14,7 @@ foreach(entry main.js style.css)
       --target=chrome100,firefox100,safari15
       --legal-comments=inline
       --log-level=warning
-      "--alias:three=${THREE_DIR}/build/three.module.js"
-      "--alias:three/examples=${THREE_DIR}/examples"
+      "--alias:three=${THREE_DIR}"
     COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 

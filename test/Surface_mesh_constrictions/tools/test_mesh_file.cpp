@@ -208,8 +208,8 @@ TEST_F(Mesh_file, surfaces_that_cannot_be_used)
     one_sided.points.push_back({{static_cast<double>(i), static_cast<double>(i * i), static_cast<double>(i % 2)}});
   one_sided.triangles = {{{0, 1, 4}}, {{0, 1, 5}}, {{0, 2, 3}}, {{0, 2, 5}}, {{0, 3, 4}},
                          {{1, 2, 3}}, {{1, 2, 4}}, {{1, 3, 5}}, {{2, 4, 5}}, {{3, 4, 5}}};
-  expect_defect(Input_defect::INCONSISTENT_ORIENTATION, 0, "one_sided.obj", obj(one_sided),
-                {"cannot be oriented", "face 0"});
+  expect_defect(Input_defect::INCONSISTENT_ORIENTATION, 7, "one_sided.obj", obj(one_sided),
+                {"cannot be oriented", "between vertices 3 and 5 of face 7"});
   // a Moebius strip, which is open
   Soup strip;
   for(int i = 0; i < 5; ++i)
@@ -218,10 +218,10 @@ TEST_F(Mesh_file, surfaces_that_cannot_be_used)
     strip.triangles.push_back({{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>((i + 1) % 5),
                                 static_cast<std::uint32_t>((i + 2) % 5)}});
   }
-  expect_defect(Input_defect::INCONSISTENT_ORIENTATION, 0, "strip.off", off(strip), {"cannot be oriented"});
+  expect_defect(Input_defect::INCONSISTENT_ORIENTATION, 3, "strip.off", off(strip), {"cannot be oriented", "of face 3"});
   Soup empty = soup;
   empty.triangles.clear();
-  expect_defect(Input_defect::EMPTY_MESH, 0, "empty.off", off(empty), {"no face"});
+  expect_file_error("empty.off", off(empty), {"point cloud", "6 points"});
   expect_defect(Input_defect::EMPTY_MESH, 0, "empty.stl", "solid\nendsolid\n", {"no face"});
   expect_defect(Input_defect::EMPTY_MESH, 0, "empty_binary.stl", binary_stl(Soup()), {"no face"});
 }

@@ -203,7 +203,8 @@ TEST_F(Batch, each_mesh_of_a_folder_has_a_line)
     EXPECT_EQ(good.at(member), expected.at(member)) << member;
   EXPECT_EQ(found.at("meshes/tetrahedron.OFF").at("constrictions"), json::array());
 
-  for(const char* file : {"meshes/touching.off", "meshes/not a mesh.ply", "meshes/empty.stl"})
+  EXPECT_EQ(found.at("meshes/touching.off").at("status"), "ok"); // the vertex is split
+  for(const char* file : {"meshes/not a mesh.ply", "meshes/empty.stl"})
   {
     const json& failed = found.at(file);
     EXPECT_EQ(failed.at("status"), "failed");
@@ -212,9 +213,9 @@ TEST_F(Batch, each_mesh_of_a_folder_has_a_line)
               run("detect '" + std::string(file) + "'").err);
   }
   EXPECT_TRUE(has_row(r.out, "meshes", 5)) << r.out;
-  EXPECT_TRUE(has_row(r.out, "ok", 2)) << r.out;
-  EXPECT_TRUE(has_row(r.out, "failed", 3)) << r.out;
-  EXPECT_TRUE(has_row(r.out, "  input", 3)) << r.out;
+  EXPECT_TRUE(has_row(r.out, "ok", 3)) << r.out;
+  EXPECT_TRUE(has_row(r.out, "failed", 2)) << r.out;
+  EXPECT_TRUE(has_row(r.out, "  input", 2)) << r.out;
   EXPECT_NE(r.out.find("1 constriction, 1 certified"), std::string::npos) << r.out;
 }
 

@@ -421,7 +421,8 @@ TEST(Pair_sides, joins_across_the_inside)
   const std::vector<Side_at_edge> sides = {{0, false, x}, {1, true, y}, {2, false, minus_x}, {3, true, minus_y}};
   const auto pairs_of = [&](bool is_inside_out, std::size_t way) {
     std::set<std::set<Index>> result;
-    for(const Side_pair& p : ways_to_pair(u, v, sides, is_inside_out)[way])
+    const std::vector<std::vector<Side_pair>> ways = ways_to_pair(u, v, sides, is_inside_out);
+    for(const Side_pair& p : ways.at(way))
       result.insert({p[0], p[1]});
     return result;
   };

@@ -193,7 +193,8 @@ private:
       {
         std::swap(m_triangles.corners[3 * t + 1], m_triangles.corners[3 * t + 2]);
         const Index f = m_triangles.face[t];
-        m_findings.add(Finding::TURNED_FACES, [f] { return "face " + std::to_string(f) + " is turned round"; });
+        if(t == 0 || m_triangles.face[t - 1] != f || !is_turned[t - 1]) // the first piece of a polygon tells of it
+          m_findings.add(Finding::TURNED_FACES, [f] { return "face " + std::to_string(f) + " is turned round"; });
       }
     if(std::find(is_turned.begin(), is_turned.end(), true) != is_turned.end())
       find_edges();

@@ -70,7 +70,8 @@ public:
     const Text_scanner counts = m_scanner;
 
     // An element a line, as nearly all programs write it, and then nothing behind its numbers matters; or numbers that
-    // go on over the ends of lines, and then each counts.
+    // go on over the ends of lines, and then each counts, and none is left over: else a number that is missing somewhere
+    // would shift all that follow.
     std::exception_ptr failure;
     for(const auto& [vertices_in_lines, faces_in_lines] :
         std::array<std::pair<bool, bool>, 4>{{{true, true}, {false, false}, {true, false}, {false, true}}})
@@ -83,7 +84,11 @@ public:
         else
           skip_number_of_edges();
         read_vertices(vertices_in_lines);
+        if(!vertices_in_lines && faces_in_lines && !m_scanner.word().empty())
+          m_scanner.fail("the last vertex is followed by another number in its line");
         read_faces(faces_in_lines);
+        if(!faces_in_lines && m_scanner.next_line())
+          m_scanner.fail("the last face is followed by further numbers");
         return std::move(m_soup);
       }
       catch(const std::exception&)
@@ -193,6 +198,8 @@ private:
         return value;
       };
       const long long n = read_integer("a number of vertices");
+      if(n < 1 && !in_lines)
+        m_scanner.fail("face " + std::to_string(f) + ": " + std::to_string(n) + " is no number of vertices");
       for(long long i = 0; i < n; ++i)
         m_soup.corners.push_back(checked_index(f, read_integer("a vertex number"), m_nv));
       m_soup.end_face();

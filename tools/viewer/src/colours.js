@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colours of Okabe and Ito, which people with any kind of colour vision can tell apart.
-import {Color} from 'three';
+import {Color} from 'three/build/three.module.js';
 
 // Light is added in a space where colours are proportional to it. On the screen are these values to the power of
 // 1 / gamma.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The constrictions on the surface.
-import {BufferAttribute, BufferGeometry, Group, Points, PointsMaterial, Vector3} from 'three';
+import {BufferAttribute, BufferGeometry, Group, Points, PointsMaterial, Vector3} from 'three/build/three.module.js';
 import {ClosedLine} from './lines.js';
 import {light, selection, sides} from './colours.js';
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Puts the page together: what is shown follows from `state`.
-import {Vector3} from 'three';
+import {Vector3} from 'three/build/three.module.js';
 import {Curves} from './curves.js';
 import {List, SideFilter, counted} from './list.js';
 import {Playback} from './playback.js';

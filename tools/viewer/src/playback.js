@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the constrictions were found: from the coarsest level to the input with seeds as they appear and curves as they
 // are carried along, and at last the curves as they are tightened on the input.
-import {BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial} from 'three';
+import {BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial} from 'three/build/three.module.js';
 import {ClosedLine} from './lines.js';
 import {light, seed, sides} from './colours.js';
 import {counted} from './list.js';

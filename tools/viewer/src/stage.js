@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Camera, lights and drawing. Draws when something has changed only.
-import {DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer} from 'three';
+import {DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer} from 'three/build/three.module.js';
 import {gamma, light} from './colours.js';
 import {TrackballControls} from 'three/examples/jsm/controls/TrackballControls.js';
 

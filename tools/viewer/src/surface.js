@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The surface that is drawn: triangles with colours, and the edges of the mesh.
 import {BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh,
-  MeshPhongMaterial, VertexColors} from 'three';
+  MeshPhongMaterial, VertexColors} from 'three/build/three.module.js';
 import {light} from './colours.js';
 
 const cosineOfCrease = Math.cos(40 * Math.PI / 180);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From where a curve is seen well.
-import {Vector3} from 'three';
+import {Vector3} from 'three/build/three.module.js';
 
 const candidates = 96, lookedAtClosely = 8, samples = 12;
 

@@ -75,13 +75,13 @@ public:
 private:
   bool is_marked(halfedge_descriptor h) const { return get(m_marks, edge(h, m_tm)); }
 
-  // The halfedge after h along the border of its part; null if that goes on along a hole of the mesh.
+  // The halfedge after h along the border of its part; null if that leaves the curves to go on along a hole of the mesh.
   halfedge_descriptor next_on_border(halfedge_descriptor h) const
   {
     h = next(h, m_tm);
     while(!CGAL::is_border_edge(h, m_tm) && !is_marked(h))
       h = next(opposite(h, m_tm), m_tm);
-    return CGAL::is_border_edge(h, m_tm) ? Graph_traits::null_halfedge() : h;
+    return is_marked(h) ? h : Graph_traits::null_halfedge();
   }
 
   void find_loops(const std::vector<std::vector<typename Graph_traits::face_descriptor>>& faces_of_part)
@@ -99,7 +99,7 @@ private:
           halfedge_descriptor b = h;
           for(; b != Graph_traits::null_halfedge() && is_seen.insert(b).second; b = next_on_border(b))
             border.push_back(b);
-          if(b == h) // what lies partly along a hole of the mesh stays open
+          if(b == h) // where a hole of the mesh is part of the loop it stays open
             add_loops(part, border);
         }
       }
