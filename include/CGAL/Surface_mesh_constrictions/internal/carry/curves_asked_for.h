@@ -109,7 +109,7 @@ void add_prominent_curves(Curve_network& network, std::vector<Index> curves,
     if(p.value < minimum_prominence)
     {
       std::vector<Index> path = path_inside(pm, p.strip);
-      if(path.size() > 2 && numbers.insert(search.tightener().enter(p.arcs)).second)
+      if(p.end == Barrier_end::CURVE && path.size() > 2 && numbers.insert(search.tightener().enter(p.arcs)).second)
       {
         const Index c = network.add_curve(add_seed(std::move(path)));
         network.set_arcs(c, p.arcs);

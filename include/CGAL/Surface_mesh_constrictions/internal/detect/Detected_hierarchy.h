@@ -71,7 +71,10 @@ public:
       merge_coinciding(m_network, found);
       m_entries.resize(refined.size());
       if(added.empty())
+      {
         forget_wrong_ties(found);
+        forget_lost_on_coarse(found);
+      }
       std::vector<Index> asked; // curves of the network
       for(const Found_curve& f : found)
         if(!entry(f.curve))
@@ -106,10 +109,7 @@ public:
     for(std::size_t i = 0; i < found.size(); ++i)
       for(std::size_t r : m_network.curve(found[i].curve).seeds)
         place.emplace(r, i);
-    std::unordered_map<Index, std::size_t> place_on_coarse; // the shortest with this image
-    for(std::size_t i = 0; i < found.size(); ++i)
-      if(entry(found[i].curve)->image != null_index)
-        place_on_coarse.emplace(entry(found[i].curve)->image, i);
+    const std::unordered_map<Index, std::size_t> place_on_coarse = places_on_coarse(found);
     std::vector<Hierarchy_entry> result;
     for(std::size_t i = 0; i < found.size(); ++i)
     {
@@ -177,10 +177,46 @@ private:
       if(to != place.end() && precedes(found[to->second], found[i]))
         continue;
       m_without_ties.insert(found[i].curve);
-      for(std::size_t r : m_network.curve(found[i].curve).seeds)
-        if(r < m_entries.size())
-          m_entries[r].reset();
+      forget(found[i].curve);
     }
+  }
+
+  // A curve may slide on the coarse level to one that has not been found: there may be none on the input. It is measured
+  // there.
+  void forget_lost_on_coarse(const std::vector<Found_curve>& found)
+  {
+    const std::unordered_map<Index, std::size_t> place = places_on_coarse(found);
+    for(std::size_t i = 0; i < found.size(); ++i)
+    {
+      const Entry* const e = entry(found[i].curve);
+      if(e == nullptr || e->slides_to_image == null_index)
+        continue;
+      const auto to = place.find(e->slides_to_image);
+      if(to != place.end() && to->second < i)
+        continue;
+      m_on_input.insert(found[i].curve);
+      forget(found[i].curve);
+    }
+  }
+
+  void forget(Index curve)
+  {
+    for(std::size_t r : m_network.curve(curve).seeds)
+      if(r < m_entries.size())
+        m_entries[r].reset();
+  }
+
+  // By image on the coarse level the place of the shortest curve with that.
+  std::unordered_map<Index, std::size_t> places_on_coarse(const std::vector<Found_curve>& found) const
+  {
+    std::unordered_map<Index, std::size_t> result;
+    for(std::size_t i = 0; i < found.size(); ++i)
+    {
+      const Entry* const e = entry(found[i].curve);
+      if(e != nullptr && e->image != null_index)
+        result.emplace(e->image, i);
+    }
+    return result;
   }
 
   // Whether one of two curves is shorter, or of the same length and the one that stands for both.
@@ -240,7 +276,7 @@ private:
     std::vector<std::size_t> here, on_coarse; // measured to the end on the input, or not
     for(std::size_t i = 0; i < asked.size(); ++i)
     {
-      if(m_coarse)
+      if(m_coarse && m_on_input.count(asked[i]) == 0)
         images[i] = image(curves[i]);
       (images[i] != null_index ? on_coarse : here).push_back(i);
     }
@@ -351,6 +387,7 @@ private:
   std::vector<std::optional<Entry> > m_entries; // by seed: set for one seed of each curve that has been measured
   std::unordered_map<std::size_t, Index> m_curves; // by seed: that a curve that was measured slides to
   std::unordered_set<Index> m_without_ties;        // curves of the network
+  std::unordered_set<Index> m_on_input;            // curves of the network that are not measured on the coarse level
   std::vector<Index> m_passed;                     // curves of the network that are not found, but were measured
 };
 

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Boundary_tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Distance_sweep.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/vertex_passes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 
@@ -43,7 +44,8 @@ struct Barrier
   Index vertex;            // over which it slides off, if `end` is POINT
 };
 
-// Searches the lowest barrier around a curve, by sweeping from it. The side that has the lower barrier so far is swept
+// Searches the lowest barrier around a curve: over single vertices beside it and beside the curves behind them, and by
+// sweeping from it. The side that has the lower barrier so far is swept
 // on, as water rises. Now and then the boundary of what has been swept is tightened: as long as it lies before the pass
 // it does not become shorter than the curve; behind it, it does. What is found depends on the surface and the curve
 // alone.
@@ -52,7 +54,7 @@ class Barrier_search
 public:
   // `lengths` and `angles` of the surface. Linear in the size of the mesh.
   Barrier_search(const Progressive_mesh& pm, const Edge_lengths& lengths, const Corner_angles& angles)
-    : m_sweep(pm, lengths), m_tightener(pm, angles)
+    : m_sweep(pm, lengths), m_angles(angles), m_tightener(pm, angles)
   {}
 
   Boundary_tightener& tightener() { return m_tightener; }
@@ -68,7 +70,12 @@ public:
     m_separates = separates;
     m_with_ties = with_ties;
     m_neighbours.clear();
-    Barrier best = sweep(m_goal, trace, greatest_length);
+    Barrier best = pass_vertices(greatest_length);
+    if(best.length <= (1 + negligible_prominence) * m_goal_length)
+      return best;
+    Barrier swept = sweep(m_goal, trace, (std::min)(best.length, greatest_length));
+    if(swept.length < best.length || best.end == Barrier_end::NONE)
+      best = std::move(swept);
     // Around a bend level sets fall behind on the outside. Where they have come into the basin of a longer curve, the
     // sweep from that one is better aligned; the lowest such curve first.
     std::vector<Index> passed(1, m_goal);
@@ -102,7 +109,83 @@ private:
     double barrier;
   };
 
-  static constexpr std::size_t most_detours = 16;
+  static constexpr std::size_t most_detours = 6, most_passes = 64;
+
+  // The easiest way found over single vertices, of no more than a length; its end is NONE if there is none. The passes of
+  // the curves found are tried in the order of their heights.
+  Barrier pass_vertices(double greatest_length)
+  {
+    struct Way
+    {
+      Index curve;
+      double height_before;
+      Vertex_pass pass;
+
+      double height() const { return (std::max)(height_before, pass.length); }
+    };
+    const auto is_higher = [](const Way& x, const Way& y) { return x.height() > y.height(); };
+    std::vector<Way> ways; // a heap
+    std::vector<Index> found(1, m_goal);
+    const auto add_ways = [&](Index curve, double height) {
+      for(Vertex_pass& p : vertex_passes(m_tightener.surface(), m_angles, m_tightener.arcs(curve), greatest_length,
+                                         m_tightener.puller()))
+      {
+        ways.push_back({curve, height, std::move(p)});
+        std::push_heap(ways.begin(), ways.end(), is_higher);
+      }
+    };
+    add_ways(m_goal, 0);
+    for(std::size_t i = 0; i < most_passes && !ways.empty(); ++i)
+    {
+      std::pop_heap(ways.begin(), ways.end(), is_higher);
+      const Way way = std::move(ways.back());
+      ways.pop_back();
+      double height = way.height();
+      Tightened_boundary b = behind(way.curve, way.height_before, way.pass, height);
+      if(!b.is_simple || (b.longest == null_index && !m_separates))
+        continue;
+      if(is_lower(b))
+        return {height, b.longest == null_index ? Barrier_end::POINT : Barrier_end::CURVE, b.longest,
+                std::move(b.strip), b.longest != null_index ? null_index : way.pass.vertex};
+      if(std::find(found.begin(), found.end(), b.longest) == found.end())
+      {
+        found.push_back(b.longest);
+        add_ways(b.longest, height);
+      }
+    }
+    return {(std::numeric_limits<double>::infinity)(), Barrier_end::NONE, null_index, Strip(), null_index};
+  }
+
+  // What lies behind a pass of a curve, and how high it is. Where the curve held at the vertex is tightened, it becomes
+  // shorter; if from there the curve itself lies on the near side, the pass is no higher than that.
+  Tightened_boundary behind(Index curve, double height_before, const Vertex_pass& pass, double& height)
+  {
+    const auto let_go = [&](const std::vector<Arc>& arcs, Curve_side side) {
+      Tightened_boundary b = m_tightener.let_go(arcs, pass.vertex, side);
+      if(b.longest != null_index && is_lower(b))
+        b.strip = strip_beside(m_tightener.surface(), arcs, side);
+      return b;
+    };
+    Tightened_boundary result = let_go(pass.arcs, pass.far_side);
+    if(height <= (1 + negligible_prominence) * m_goal_length && result.is_simple && is_lower(result))
+      return result;
+    const std::vector<Arc> held = m_tightener.tighten_held(pass.arcs, pass.vertex);
+    if(held.size() < 2 || total_length(held) >= pass.length ||
+       m_tightener.let_go(held, pass.vertex, other_side(pass.far_side)).longest != curve)
+      return result;
+    height = (std::max)(height_before, total_length(held));
+    return let_go(held, pass.far_side);
+  }
+
+  // Whether what a boundary has been tightened to is shorter than the goal, or a curve of the same length that stands for
+  // both.
+  bool is_lower(const Tightened_boundary& b) const
+  {
+    const double tolerance = equal_length_tolerance * m_goal_length;
+    return b.length < m_goal_length - tolerance ||
+           (b.length <= m_goal_length + tolerance && m_with_ties && b.longest != m_goal &&
+            m_tightener.precedes(b.longest, m_goal));
+  }
 
   // Searches the lowest barrier on the way from a curve to one that is shorter than the goal.
   Barrier sweep(Index start, const std::vector<Trace_point>& trace, double greatest_length)
@@ -225,14 +308,11 @@ private:
   // that stands for both. If so, its end is written to `found`.
   bool is_behind(std::size_t s, std::size_t level, Barrier& found)
   {
-    const double tolerance = equal_length_tolerance * m_goal_length;
-    Tightened_boundary b =
-        m_tightener.tighten(m_sweep.boundary(s, level), m_sides[s].lengths[level], m_length + tolerance);
+    Tightened_boundary b = m_tightener.tighten(m_sweep.boundary(s, level), m_sides[s].lengths[level],
+                                               m_length + equal_length_tolerance * m_goal_length);
     if(!b.is_simple || (b.longest == null_index && !m_separates))
       return false;
-    if(b.length > m_goal_length + tolerance ||
-       (b.length >= m_goal_length - tolerance &&
-        (!m_with_ties || b.longest == m_goal || !m_tightener.precedes(b.longest, m_goal))))
+    if(!is_lower(b))
     {
       if(b.longest != m_start && b.longest != m_goal && b.length == m_tightener.length(b.longest))
         m_neighbours.push_back({b.longest, (std::max)(m_sides[s].highest_up_to[level], m_barrier_before)});
@@ -246,6 +326,7 @@ private:
   }
 
   Distance_sweep m_sweep;
+  const Corner_angles& m_angles;
   Boundary_tightener m_tightener;
   std::array<Side, 2> m_sides;
   Index m_goal = null_index;  // the curve that is to become shorter, of the tightener

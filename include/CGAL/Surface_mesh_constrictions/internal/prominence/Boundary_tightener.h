@@ -2,6 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_BOUNDARY_TIGHTENER_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_BOUNDARY_TIGHTENER_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
@@ -62,11 +63,56 @@ public:
   Index tighten(const std::vector<Index>& path) { return end(m_network.add_curve(0, path)); }
 
   const Progressive_mesh& surface() const { return m_network.surface(); }
+  String_puller& puller() { return m_tightener.puller(); }
 
   // The curve of a number.
   std::vector<Arc> arcs(Index c) const { return arcs_of_curve(m_network, c); }
   double length(Index c) const { return m_length[c]; }
   bool is_simple(Index c) const { return m_is_simple[c]; }
+
+  // Tightens a closed curve that is held at a vertex that it passes; no arcs if it shortens to that.
+  std::vector<Arc> tighten_held(std::vector<Arc> arcs, Index vertex)
+  {
+    const Index c = m_network.add_curve(0);
+    m_network.set_arcs(c, arcs);
+    m_tightener.hold(vertex);
+    m_tightener.enqueue_all(c);
+    m_tightener.run();
+    m_tightener.hold(null_index);
+    std::vector<Arc> result = arcs_of_curve(m_network, c);
+    m_network.remove(c);
+    return result;
+  }
+
+  // Tightens a closed curve that is let go at a vertex that it passes, to one side of that; not one that has no other
+  // pivot.
+  Tightened_boundary let_go(std::vector<Arc> arcs, Index vertex, Curve_side side)
+  {
+    const auto at = std::find_if(arcs.begin(), arcs.end(), [vertex](const Arc& a) { return a.from == vertex; });
+    std::rotate(arcs.begin(), at, arcs.end());
+    const Arc outgoing = arcs.front(), incoming = arcs.back();
+    Strip strip(incoming.crossings.begin(), incoming.crossings.end());
+    append_fan(m_network.surface(), incoming, outgoing, side, strip);
+    strip.insert(strip.end(), outgoing.crossings.begin(), outgoing.crossings.end());
+    arcs.erase(arcs.begin());
+    arcs.pop_back();
+    m_tightener.puller().pull(incoming.from, strip, outgoing.to, arcs);
+    Tightened_boundary result;
+    if(!arcs.empty())
+    {
+      const Index c = m_network.add_curve(0);
+      m_network.set_arcs(c, arcs);
+      result.longest = end(c);
+    }
+    if(result.longest == null_index)
+      result.vertex = vertex;
+    else
+    {
+      result.length = m_length[result.longest];
+      result.is_simple = m_is_simple[result.longest];
+    }
+    return result;
+  }
 
   // Of two curves of equal length the one that stands for both.
   bool precedes(Index c, Index d) const { return key(c) < key(d); }

@@ -78,9 +78,17 @@ public:
 
   String_puller& puller() { return m_puller; }
 
+  // Curves that pass a vertex are held there, until another one is given, or null_index.
+  void hold(Index vertex) { m_held = vertex; }
+
   // Notes the pivot at which an arc starts, if one of its side angles is below pi. The arcs at it must be in place.
   void enqueue(Index arc)
   {
+    if(m_network.arc(arc).from == m_held)
+    {
+      m_network.renew_stamp(arc);
+      return;
+    }
     const Side_angles angles = side_angles(m_network.surface(), m_network.arc(m_network.previous(arc)),
                                            m_network.arc(arc), [this](Index h) { return corner(h); });
     const Index stamp = m_network.renew_stamp(arc);
@@ -204,6 +212,7 @@ private:
   Length_unit m_unit;
   const Corner_angles* m_angles;
   String_puller m_puller;
+  Index m_held = null_index;
   std::priority_queue<Entry> m_queue;
   Strip m_strip;
   std::vector<Arc> m_arcs;
