@@ -2,6 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_TRIANGULATE_WITH_FACE_MAP_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_TRIANGULATE_WITH_FACE_MAP_H
 
+#include <CGAL/Surface_mesh_constrictions/internal/surface/nearest_point.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/triangulate_polygon.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -10,7 +11,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -79,10 +79,7 @@ void triangulate_with_face_map(const PolygonMesh& pm, TriangleMesh& tm, FaceMap 
       continue;
     std::vector<internal::Polygon_point> points;
     for(Halfedge h : corners)
-    {
-      const auto p = get(vpm, target(h, tm));
-      points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    }
+      points.push_back(internal::nearest_point(get(vpm, target(h, tm))));
     const std::vector<internal::Polygon_triangle> triangles =
         internal::triangulate_polygon(points, [&](std::size_t i, std::size_t j) {
           return !CGAL::halfedge(target(corners[i], tm), target(corners[j], tm), tm).second;

@@ -5,10 +5,10 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/nearest_point.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -96,7 +96,7 @@ private:
   template <class GivenPoint>
   static Point to_point(const GivenPoint& p)
   {
-    return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    return Point(nearest_double(p.x()), nearest_double(p.y()), nearest_double(p.z()));
   }
 
   Point scaled(const Point& p) const

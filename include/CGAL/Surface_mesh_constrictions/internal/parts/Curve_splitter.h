@@ -6,13 +6,13 @@
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Face_ring.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/best_diagonals.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/spread_parameters.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/nearest_point.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -182,9 +182,8 @@ private:
     std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> polygon;
     for(halfedge_descriptor h : halfedges_around_face(halfedge(f, m_tm), m_tm))
     {
-      const Point p = get(m_vpm, target(h, m_tm));
       to.push_back(h);
-      polygon.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      polygon.push_back(nearest_point(get(m_vpm, target(h, m_tm))));
     }
     for(const std::array<std::size_t, 2>& d : best_diagonals(polygon))
     {

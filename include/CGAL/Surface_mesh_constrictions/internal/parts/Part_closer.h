@@ -4,10 +4,10 @@
 
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Opened_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/triangulate_cap.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/nearest_point.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Origin.h>
-#include <CGAL/number_utils.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -176,10 +176,7 @@ private:
     const auto opposite_of_next = [&](std::size_t k) { return opposite(border[(k + 1) % n], m_tm); };
     Cap_polygon polygon;
     for(halfedge_descriptor h : border)
-    {
-      const Point p = get(m_vpm, target(h, m_tm));
-      polygon.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    }
+      polygon.push_back(nearest_point(get(m_vpm, target(h, m_tm))));
     // a diagonal that is an edge of a part already would make it no manifold, and so would a face upon a face
     const auto is_forbidden = [&](std::size_t a, std::size_t b) {
       return halfedge(target(border[a], m_tm), target(border[b], m_tm), m_tm).second;

@@ -109,7 +109,7 @@ private:
     double barrier;
   };
 
-  static constexpr std::size_t most_detours = 6, most_passes = 64;
+  static constexpr std::size_t most_detours = 16, most_passes = 64;
 
   // The easiest way found over single vertices, of no more than a length; its end is NONE if there is none. The passes of
   // the curves found are tried in the order of their heights.

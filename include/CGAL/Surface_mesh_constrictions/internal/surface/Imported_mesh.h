@@ -5,11 +5,11 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_table.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/nearest_point.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -86,8 +86,7 @@ public:
         index.resize(i + 1, null_index);
       index[i] = static_cast<Index>(m_vertices.size());
       m_vertices.push_back(v);
-      const auto p = get(vpm, v);
-      points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      points.push_back(nearest_point(get(vpm, v)));
     }
 
     std::vector<Index> corners;
