@@ -176,6 +176,19 @@ TEST(Selection, OfProminencesMeasuredOnTheInputItIsNearlyThatOfTheDetection)
   EXPECT_GE(number_of_equals(now, direct) + 2, now.size());
 }
 
+// On facets with noise a neck has closed geodesics that differ by the side on which they pass a vertex.
+TEST(Selection, ANoisyNeckIsOneConstriction)
+{
+  for(unsigned seed = 0; seed < 10; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    std::vector<Constriction> curves;
+    SMC::detect_constrictions(test_meshes::make_mesh(test_meshes::dumbbell(0.1, seed)), std::back_inserter(curves));
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_GT(curves[0].prominence(), 1); // the bulges are twice as wide
+  }
+}
+
 TEST(Selection, ACactusHasItsTrunkAndItsArms)
 {
   std::vector<Constriction> curves;
