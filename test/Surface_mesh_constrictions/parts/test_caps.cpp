@@ -197,7 +197,7 @@ struct Cup
   {
     for(Mesh::Edge_index e : mesh.edges())
     {
-      const auto is_on_ring = [this](Mesh::Vertex_index v) { return v.idx() >= 24 && v.idx() < 36; };
+      const auto is_on_ring = [](Mesh::Vertex_index v) { return v.idx() >= 24 && v.idx() < 36; };
       marks[e] = is_on_ring(mesh.vertex(e, 0)) && is_on_ring(mesh.vertex(e, 1));
     }
   }
