@@ -3,6 +3,7 @@
 #include "include/grid_torus.h"
 #include "include/random_loops.h"
 #include "include/real_meshes.h"
+#include "include/sanitizers.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
@@ -95,7 +96,7 @@ TEST(Caps, VolumesOfPartsAddUpOnRealMeshes)
     SMC::detect_constrictions(mesh, std::back_inserter(selected), SMC::parameters::certify(false));
     EXPECT_FALSE(selected.empty());
     EXPECT_LT(relative_error_of_volumes(mesh, selected), 1e-9);
-    if(mesh.number_of_faces() > 60000)
+    if(mesh.number_of_faces() > (sanitizers::are_on ? 3000u : 20000u))
       continue;
     SMC::detect_constrictions(
         mesh, std::back_inserter(all),
