@@ -138,7 +138,8 @@ TEST(Near, TheStatisticsAddUp)
            params::maximum_number_of_constrictions(std::size_t(2), CGAL::parameters::visitor(Statistics_taker(s))));
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_GT(s.not_selected, 0u);
-  EXPECT_EQ(s.seeds + s.barriers, s.degenerate + s.discarded + s.not_simple + s.not_certified + s.merged + s.not_selected + 2);
+  EXPECT_EQ(s.seeds + s.barriers,
+            s.degenerate + s.discarded + s.not_simple + s.not_certified + s.merged + s.not_selected + 2);
 }
 
 // The seeds pass through the location, so nothing is found on the other component.

@@ -363,7 +363,8 @@ TEST(SeedSources, EverySeedIsAccountedFor)
     const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.15, seed, 24, 10));
     SMC::Detection_statistics s;
     const auto result = detect(mesh, SMC::Default_seed_sources(), s);
-    EXPECT_EQ(s.seeds + s.barriers, s.degenerate + s.not_simple + s.not_certified + s.merged + s.not_selected + result.size());
+    EXPECT_EQ(s.seeds + s.barriers,
+              s.degenerate + s.not_simple + s.not_certified + s.merged + s.not_selected + result.size());
     EXPECT_EQ(s.not_selected, 0u);
     std::size_t kept = 0;
     for(const auto& c : result)

@@ -44,6 +44,32 @@ TEST_F(Program, detect_prints_a_table)
   EXPECT_NE(r.out.find("1 constriction from"), std::string::npos) << r.out;
 }
 
+// Two digital balls joined by a digital cylinder. What curves slide to on the coarse level may not be there on the input;
+// still each has an end. The neck goes around the convex hull of the cylinder's outline, an octagon with sides of 5 and of twice the
+// diagonal of a square.
+TEST_F(Program, a_digital_dumbbell_has_its_neck_and_each_curve_an_end)
+{
+  const int r = 16, length = 35;
+  const auto is_inside = [=](int x, int y, int z) {
+    const int from_axis = y * y + z * z, right = x - length;
+    return x * x + from_axis <= r * r || right * right + from_axis <= r * r ||
+           (x >= 0 && x <= length && 100 * from_axis <= 9 * r * r);
+  };
+  Cubes cubes;
+  for(int x = -r; x <= length + r; ++x)
+    for(int y = -r; y <= r; ++y)
+      for(int z = -r; z <= r; ++z)
+        if(is_inside(x, y, z))
+          cubes.add_box({x, y, z}, {x + 1, y + 1, z + 1});
+  write("digital.off", cubes.off());
+  const json found = json::parse(run("detect digital.off --no-certify --json -").out).at("constrictions");
+  ASSERT_FALSE(found.empty());
+  EXPECT_NEAR(found[0].at("length").get<double>(), 20 + 8 * std::sqrt(2.), 1e-9);
+  EXPECT_GT(found[0].at("prominence").get<double>(), 2);
+  for(const json& c : found)
+    EXPECT_NE(c.at("dominated_by").is_null(), c.at("slides_off").is_null()) << c.at("id");
+}
+
 TEST_F(Program, detect_prints_json_only)
 {
   const Result r = run("detect dumbbell.off --json - --quiet");
@@ -91,8 +117,9 @@ TEST_F(Program, detect_prints_json_only)
   }
 
   const auto& statistics = j["statistics"];
-  EXPECT_EQ(keys(statistics), (Keys{"collapses", "seeds", "degenerate", "discarded", "merged", "not_simple", "leaky_bands", "barriers",
-                                    "not_certified", "not_selected", "corrected", "signs"}));
+  EXPECT_EQ(keys(statistics), (Keys{"collapses", "seeds", "degenerate", "discarded", "merged", "not_simple",
+                                    "leaky_bands", "barriers", "not_certified", "not_selected", "corrected",
+                                    "signs"}));
   EXPECT_EQ(keys(statistics["signs"]),
             (Keys{"interval", "multiprecision", "finite_field", "algebra", "unproved"}));
   EXPECT_GT(statistics["signs"]["algebra"], 0); // the sides of the band are parallel

@@ -105,10 +105,7 @@ public:
   // The entries of the curves found, in their order.
   std::vector<Hierarchy_entry> entries(const std::vector<Found_curve>& found) const
   {
-    std::unordered_map<std::size_t, std::size_t> place; // by seed
-    for(std::size_t i = 0; i < found.size(); ++i)
-      for(std::size_t r : m_network.curve(found[i].curve).seeds)
-        place.emplace(r, i);
+    const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
     const std::unordered_map<Index, std::size_t> place_on_coarse = places_on_coarse(found);
     std::vector<Hierarchy_entry> result;
     for(std::size_t i = 0; i < found.size(); ++i)
@@ -164,10 +161,7 @@ private:
   // it. Such a curve is measured again, without ties.
   void forget_wrong_ties(const std::vector<Found_curve>& found)
   {
-    std::unordered_map<std::size_t, std::size_t> place; // by seed
-    for(std::size_t i = 0; i < found.size(); ++i)
-      for(std::size_t r : m_network.curve(found[i].curve).seeds)
-        place.emplace(r, i);
+    const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
     for(std::size_t i = 0; i < found.size(); ++i)
     {
       const Entry* const e = entry(found[i].curve);
@@ -204,6 +198,15 @@ private:
     for(std::size_t r : m_network.curve(curve).seeds)
       if(r < m_entries.size())
         m_entries[r].reset();
+  }
+
+  std::unordered_map<std::size_t, std::size_t> places_by_seed(const std::vector<Found_curve>& found) const
+  {
+    std::unordered_map<std::size_t, std::size_t> result;
+    for(std::size_t i = 0; i < found.size(); ++i)
+      for(std::size_t r : m_network.curve(found[i].curve).seeds)
+        result.emplace(r, i);
+    return result;
   }
 
   // By image on the coarse level the place of the shortest curve with that.

@@ -205,23 +205,15 @@ private:
   {
     String_puller& puller = m_tightener.puller();
     std::vector<Arc> best = strip.shortest_loop(strip.foremost_corner(strip.inner_side()), puller);
-    if(length_of(best) <= length * (1 + equal_length_tolerance))
+    if(total_length(best) <= length * (1 + equal_length_tolerance))
       return best;
     for(const Closed_strip::Corner& corner : strip.corners())
     {
       std::vector<Arc> arcs = strip.shortest_loop(corner, puller);
-      if(length_of(arcs) < length_of(best))
+      if(total_length(arcs) < total_length(best))
         best = std::move(arcs);
     }
     return best;
-  }
-
-  static double length_of(const std::vector<Arc>& arcs)
-  {
-    double sum = 0;
-    for(const Arc& a : arcs)
-      sum += a.length;
-    return sum;
   }
 
   // The number of what the newest curve of the network is tightened to; null_index if it shortens to a point.

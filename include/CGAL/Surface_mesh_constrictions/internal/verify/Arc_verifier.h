@@ -3,12 +3,12 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_VERIFY_ARC_VERIFIER_H
 
 #include <CGAL/Surface_mesh_constrictions/Shortest_path_verification.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/nearest_point.h>
 #include <CGAL/Surface_mesh_constrictions/internal/verify/Curve_nodes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/verify/Shortest_path_patch.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -142,7 +142,7 @@ private:
   Position position(vertex_descriptor v) const
   {
     const auto p = get(m_vpm, v);
-    return {{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())}};
+    return {{nearest_double(p.x()), nearest_double(p.y()), nearest_double(p.z())}};
   }
 
   std::size_t add_corner(Patch& patch, vertex_descriptor v) const { return patch.add_corner(position(v)); }
