@@ -40,14 +40,25 @@ public:
 
   std::string off()
   {
+    return off([](const Grid_point& p) { return p; });
+  }
+
+  // With the points that place(p) says.
+  template <class Place>
+  std::string off(const Place& place)
+  {
     for(const Grid_point& cube : m_cubes)
       for(int axis = 0; axis < 3; ++axis)
         for(int direction : {-1, 1})
           add_side(cube, axis, direction);
     std::ostringstream out;
     out << "OFF\n" << m_points.size() << ' ' << m_triangles.size() << " 0\n";
+    out.precision(17);
     for(const Grid_point& p : m_points)
-      out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+    {
+      const auto q = place(p);
+      out << q[0] << ' ' << q[1] << ' ' << q[2] << '\n';
+    }
     for(const Grid_point& t : m_triangles)
       out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
     return out.str();

@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
@@ -107,6 +108,7 @@ public:
   {
     const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
     const std::unordered_map<Index, std::size_t> place_on_coarse = places_on_coarse(found);
+    const std::vector<std::size_t> rank = ranks(found);
     std::vector<Hierarchy_entry> result;
     for(std::size_t i = 0; i < found.size(); ++i)
     {
@@ -115,9 +117,9 @@ public:
       const std::pair<std::size_t, Index> to = destination(e, place);
       const auto seed = place.find(to.first);
       const auto image = place_on_coarse.find(to.second);
-      if(seed != place.end() && seed->second != i)
+      if(seed != place.end() && rank[seed->second] < rank[i])
         h.dominated_by = seed->second;
-      else if(image != place_on_coarse.end() && image->second < i)
+      else if(image != place_on_coarse.end() && rank[image->second] < rank[i])
         h.dominated_by = image->second;
       result.push_back(h);
     }
@@ -157,21 +159,21 @@ private:
     return sum;
   }
 
-  // A curve of the same length may have been corrected to the curve that it stands for, or to one that does not stand for
-  // it. Such a curve is measured again, without ties.
+  // What a curve slides to may have been corrected to the curve itself, or to one of the same length that does not stand
+  // for it. Then it is measured again, once, without ties.
   void forget_wrong_ties(const std::vector<Found_curve>& found)
   {
     const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
+    const std::vector<std::size_t> rank = ranks(found);
     for(std::size_t i = 0; i < found.size(); ++i)
     {
       const Entry* const e = entry(found[i].curve);
-      if(e == nullptr || !e->is_tie)
+      if(e == nullptr || e->slides_to == none)
         continue;
       const auto to = place.find(destination(*e, place).first);
-      if(to != place.end() && precedes(found[to->second], found[i]))
-        continue;
-      m_without_ties.insert(found[i].curve);
-      forget(found[i].curve);
+      const bool is_wrong = to == place.end() ? e->is_tie : rank[to->second] >= rank[i];
+      if(is_wrong && m_without_ties.insert(found[i].curve).second)
+        forget(found[i].curve);
     }
   }
 
@@ -180,13 +182,14 @@ private:
   void forget_lost_on_coarse(const std::vector<Found_curve>& found)
   {
     const std::unordered_map<Index, std::size_t> place = places_on_coarse(found);
+    const std::vector<std::size_t> rank = ranks(found);
     for(std::size_t i = 0; i < found.size(); ++i)
     {
       const Entry* const e = entry(found[i].curve);
       if(e == nullptr || e->slides_to_image == null_index)
         continue;
       const auto to = place.find(e->slides_to_image);
-      if(to != place.end() && to->second < i)
+      if(to != place.end() && rank[to->second] < rank[i])
         continue;
       m_on_input.insert(found[i].curve);
       forget(found[i].curve);
@@ -222,12 +225,24 @@ private:
     return result;
   }
 
-  // Whether one of two curves is shorter, or of the same length and the one that stands for both.
-  bool precedes(const Found_curve& a, const Found_curve& b) const
+  // The places of curves in the order of length; of those of the same length the one that stands for all comes first. What
+  // dominates a curve comes before it, so that each way along what dominates has an end. Curves found, sorted by length.
+  std::vector<std::size_t> ranks(const std::vector<Found_curve>& found) const
   {
-    if(std::abs(a.length - b.length) > equal_length_tolerance * b.length)
-      return a.length < b.length;
-    return key(a.curve) < key(b.curve);
+    std::vector<std::size_t> order(found.size()), result(found.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    for(std::size_t begin = 0, end = 0; begin < found.size(); begin = end)
+    {
+      do {
+        ++end;
+      } while(end < found.size() &&
+              found[end].length - found[end - 1].length <= equal_length_tolerance * found[end].length);
+      std::sort(order.begin() + static_cast<std::ptrdiff_t>(begin), order.begin() + static_cast<std::ptrdiff_t>(end),
+                [&](std::size_t i, std::size_t j) { return key(found[i].curve) < key(found[j].curve); });
+    }
+    for(std::size_t i = 0; i < order.size(); ++i)
+      result[order[i]] = i;
+    return result;
   }
 
   std::pair<Index, std::uint64_t> key(Index c) const
@@ -265,7 +280,8 @@ private:
   // to.
   template <class ConcurrencyTag>
   std::vector<Found_curve> measure(const std::vector<Index>& asked, std::size_t number_found,
-                                   const std::vector<Found_curve>& found, std::vector<Refined_curve>& refined, std::vector<Seed_curve>& seeds)
+                                   const std::vector<Found_curve>& found, std::vector<Refined_curve>& refined,
+                                   std::vector<Seed_curve>& seeds)
   {
     std::vector<Measured_curve> curves;
     for(Index c : asked)
@@ -308,7 +324,7 @@ private:
     };
     const auto is_least_less = [&least](Index image, double length) {
       const auto known = least.find(image);
-      return known != least.end() && known->second < length;
+      return known != least.end() && known->second < length * (1 - equal_length_tolerance);
     };
     for(const Found_curve& f : found)
       if(const Entry* e = entry(f.curve))

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Boundary_tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Descents.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Distance_sweep.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/vertex_passes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
@@ -21,9 +22,6 @@
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
-
-// A curve that is less prominent hardly holds. On a tube most closed geodesics are such.
-constexpr double negligible_prominence = 0.01;
 
 // How a search for a barrier ends.
 enum class Barrier_end
@@ -54,14 +52,14 @@ class Barrier_search
 public:
   // `lengths` and `angles` of the surface. Linear in the size of the mesh.
   Barrier_search(const Progressive_mesh& pm, const Edge_lengths& lengths, const Corner_angles& angles)
-    : m_sweep(pm, lengths), m_angles(angles), m_tightener(pm, angles)
+    : m_sweep(pm, lengths), m_angles(angles), m_tightener(pm, angles), m_descents(m_tightener, angles)
   {}
 
   Boundary_tightener& tightener() { return m_tightener; }
 
   // Searches from a simple closed geodesic with this trace, up to a length. The sides of a curve that does not separate
   // meet. Curves of the same length are looked for `with_ties` only. O(m log m) for m faces swept, plus the tightening of
-  // O(log) boundaries, a few times.
+  // O(log) boundaries, a few times. If the curve behind the barrier hardly holds, its end is what that becomes.
   Barrier search(const std::vector<Arc>& arcs, const std::vector<Trace_point>& trace, bool separates,
                  double greatest_length, bool with_ties = true)
   {
@@ -70,6 +68,30 @@ public:
     m_separates = separates;
     m_with_ties = with_ties;
     m_neighbours.clear();
+    Barrier result = lowest(trace, greatest_length);
+    const Descent* const further = result.end == Barrier_end::CURVE ? m_descents.descent(result.curve) : nullptr;
+    return further != nullptr && is_lower(*further) ? barrier(result.length, *further) : result;
+  }
+
+private:
+  // A longer curve into whose basin a sweep has come, and the greatest length on the way there.
+  struct Neighbour
+  {
+    Index curve;
+    double barrier;
+  };
+
+  static constexpr std::size_t most_detours = 16, most_passes = 64;
+
+  // Of this height, and behind it what the curve there becomes.
+  static Barrier barrier(double height, const Descent& d)
+  {
+    return {height, d.curve == null_index ? Barrier_end::POINT : Barrier_end::CURVE, d.curve, d.strip, d.vertex};
+  }
+
+  // The lowest barrier around the goal up to a length, and what is right behind it.
+  Barrier lowest(const std::vector<Trace_point>& trace, double greatest_length)
+  {
     Barrier best = pass_vertices(greatest_length);
     if(best.length <= (1 + negligible_prominence) * m_goal_length)
       return best;
@@ -89,6 +111,14 @@ public:
       m_neighbours.erase(lowest);
       if(std::find(passed.begin(), passed.end(), by.curve) != passed.end())
         continue;
+      const Descent* const further = m_descents.descent(by.curve);
+      if(further != nullptr && is_lower(*further))
+      {
+        const double height = (std::max)(by.barrier, further->height);
+        if(height < best.length)
+          best = barrier(height, *further);
+        continue;
+      }
       passed.push_back(by.curve);
       m_barrier_before = by.barrier;
       Barrier found =
@@ -100,16 +130,6 @@ public:
     m_barrier_before = 0;
     return best;
   }
-
-private:
-  // A longer curve into whose basin a sweep has come, and the greatest length on the way there.
-  struct Neighbour
-  {
-    Index curve;
-    double barrier;
-  };
-
-  static constexpr std::size_t most_detours = 16, most_passes = 64;
 
   // The easiest way found over single vertices, of no more than a length; its end is NONE if there is none. The passes of
   // the curves found are tried in the order of their heights.
@@ -187,6 +207,13 @@ private:
             m_tightener.precedes(b.longest, m_goal));
   }
 
+  // Whether what a curve becomes is shorter than the goal.
+  bool is_lower(const Descent& d) const
+  {
+    return d.curve == null_index ? m_separates
+                                 : m_tightener.length(d.curve) < m_goal_length * (1 - equal_length_tolerance);
+  }
+
   // Searches the lowest barrier on the way from a curve to one that is shorter than the goal.
   Barrier sweep(Index start, const std::vector<Trace_point>& trace, double greatest_length)
   {
@@ -244,9 +271,8 @@ private:
   static constexpr double rise = 2.25;
   // and when it has fallen so far below its greatest length since that was done last.
   static constexpr double drop = 0.03;
-  // The height of a pass is located to this share of the curve's length, or to this share of the rise.
+  // The height of a pass is located to this share of the curve's length.
   static constexpr double resolution = 0.002;
-  static constexpr double relative_resolution = 0.1;
 
   bool is_climbing(std::size_t s) const { return !m_sides[s].is_done && m_sides[s].highest() < m_lowest.length; }
 
@@ -328,6 +354,7 @@ private:
   Distance_sweep m_sweep;
   const Corner_angles& m_angles;
   Boundary_tightener m_tightener;
+  Descents m_descents;
   std::array<Side, 2> m_sides;
   Index m_goal = null_index;  // the curve that is to become shorter, of the tightener
   double m_goal_length = 0;

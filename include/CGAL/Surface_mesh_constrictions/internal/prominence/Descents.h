@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_DESCENTS_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_DESCENTS_H
+
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Boundary_tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/vertex_passes.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// A curve that is less prominent hardly holds. On a tube most closed geodesics are such.
+constexpr double negligible_prominence = 0.01;
+
+// What a curve that hardly holds becomes.
+struct Descent
+{
+  Index curve;   // of the tightener; null_index if it shortens to a point
+  double height; // the greatest length on the way
+  Strip strip;   // of a closed curve that shortens to that
+  Index vertex;  // over which it slides off, if it shortens to a point
+};
+
+// Follows closed geodesics over single vertices, as long as what is behind is shorter and the way is hardly longer, to
+// one that holds. Each is followed once. Where one leads to depends on the surface and the curve alone.
+class Descents
+{
+public:
+  // `angles` of the surface of the tightener.
+  Descents(Boundary_tightener& tightener, const Corner_angles& angles) : m_tightener(tightener), m_angles(angles) {}
+
+  // What a simple curve of the tightener becomes, or null if it holds. The first time for each curve on the way it costs
+  // as much as `vertex_passes()`, and tightening the curve behind each pass.
+  const Descent* descent(Index from)
+  {
+    std::vector<Index> way;
+    const Descent* end = nullptr;
+    for(Index c = from; c != null_index;)
+    {
+      const auto known = m_descents.find(c);
+      if(known != m_descents.end())
+      {
+        end = known->second ? &*known->second : nullptr;
+        break;
+      }
+      std::optional<Descent>& d = m_descents[c];
+      d = step(c);
+      way.push_back(c);
+      c = d ? d->curve : null_index;
+    }
+    // from the end on, each is led to what the next one on the way becomes
+    for(auto c = way.rbegin(); c != way.rend(); ++c)
+    {
+      std::optional<Descent>& d = m_descents[*c];
+      if(d && end != nullptr)
+        d = Descent{end->curve, (std::max)(d->height, end->height), end->strip, end->vertex};
+      end = d ? &*d : nullptr;
+    }
+    return end;
+  }
+
+private:
+  // Over the lowest vertex behind which the curve becomes shorter.
+  std::optional<Descent> step(Index c)
+  {
+    const double length = m_tightener.length(c);
+    for(const Vertex_pass& pass : vertex_passes(m_tightener.surface(), m_angles, m_tightener.arcs(c),
+                                                (1 + negligible_prominence) * length, m_tightener.puller()))
+    {
+      const Tightened_boundary b = m_tightener.let_go(pass.arcs, pass.vertex, pass.far_side);
+      if(b.is_simple && b.length < length * (1 - equal_length_tolerance))
+        return Descent{b.longest, pass.length, strip_beside(m_tightener.surface(), pass.arcs, pass.far_side),
+                       b.longest == null_index ? pass.vertex : null_index};
+    }
+    return std::nullopt;
+  }
+
+  Boundary_tightener& m_tightener;
+  const Corner_angles& m_angles;
+  std::unordered_map<Index, std::optional<Descent> > m_descents; // by curve
+};
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_DESCENTS_H
