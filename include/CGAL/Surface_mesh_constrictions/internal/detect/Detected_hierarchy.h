@@ -73,7 +73,7 @@ public:
       m_entries.resize(refined.size());
       if(added.empty())
       {
-        forget_wrong_ties(found);
+        forget_wrong_ends(found);
         forget_lost_on_coarse(found);
       }
       std::vector<Index> asked; // curves of the network
@@ -161,7 +161,7 @@ private:
 
   // What a curve slides to may have been corrected to the curve itself, or to one of the same length that does not stand
   // for it. Then it is measured again, once, without ties.
-  void forget_wrong_ties(const std::vector<Found_curve>& found)
+  void forget_wrong_ends(const std::vector<Found_curve>& found)
   {
     const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
     const std::vector<std::size_t> rank = ranks(found);
