@@ -19,7 +19,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/policies_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Level_copy.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
@@ -209,13 +208,12 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
 
   internal::Seeds_on_input carried;
   std::optional<Progressive_mesh> surface;
-  std::optional<internal::Level_copy> coarse;
   std::apply(
       [&](const auto&... policies) {
         static_assert(sizeof...(policies) > 0, "simplification_policies is empty");
         std::size_t left = sizeof...(policies);
         (surface.emplace(internal::carry_seeds_to_input<ConcurrencyTag>(imported, --left == 0, policies, np, visitor,
-                                                                        carried, coarse)),
+                                                                        carried)),
          ...);
       },
       internal::policies_asked_for(np));
@@ -252,7 +250,7 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
   visitor.on_stage_end(Detection_stage::CERTIFICATION);
 
   visitor.on_stage_begin(Detection_stage::SELECTION, found.size());
-  internal::Detected_hierarchy hierarchy(pm, coarse ? &*coarse : nullptr, sides, network);
+  internal::Detected_hierarchy hierarchy(pm, sides, network);
   const std::size_t passed =
       hierarchy.close<ConcurrencyTag>(found, refined, seeds, [&](std::vector<internal::Found_curve>& curves) {
         certify(curves, [](std::size_t) {});

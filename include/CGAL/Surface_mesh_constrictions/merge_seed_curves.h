@@ -39,9 +39,11 @@ struct Merging_parameters
   /// whether the tightened copy is kept, moved to edges, one of those that become equal; or else the seeds as they are
   bool tight = false;
   /// the greatest isoperimetric ratio of a copy that parts the surface, see `Constriction::isoperimetric_ratio()`. A
-  /// seed that is so long that its own is more than four times greater is not even tightened.
+  /// seed that is so long that its own is more than six times greater is not even tightened.
   double maximum_isoperimetric_ratio = (std::numeric_limits<double>::infinity)();
-  /// the least prominence of a copy among the others, see `compute_prominences()`; 0 or less for any
+  /// the least prominence of a copy among the others, see `compute_prominences()`; 0 or less for any. A copy that is
+  /// less prominent is kept if the level holds it at all, as finer ones may hold it better; what it slides to is kept
+  /// in any case.
   double minimum_prominence = 0;
   /// whether, if a prominence is asked for, copies are kept that cross many shorter ones there and back, or are
   /// composed of shorter ones, see `parameters::crossing_constrictions()`: where many bumps stand side by side there

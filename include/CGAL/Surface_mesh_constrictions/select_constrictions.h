@@ -29,10 +29,6 @@ constexpr double default_minimum_prominence = 0.05;
 constexpr double default_maximum_isoperimetric_ratio = 0.25;
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Number of vertices of the surface on which `detect_constrictions()` measures prominences, of larger meshes.
-constexpr std::size_t prominence_vertices = 2048;
-
-/// \ingroup PkgSurfaceMeshConstrictionsRef
 /// selects constrictions by their prominence, which must be known: those that a person would call necks, each once, the
 /// most prominent first.
 ///

@@ -43,7 +43,7 @@ inline double length_of_path(const Progressive_mesh& pm, const std::vector<Index
 
 // A closed path of edges zigzags, and lies aslant: it is no more than this many times as long as what it is tightened
 // to, but for few.
-constexpr double slack_of_paths = 2.1;
+constexpr double slack_of_paths = 2.5;
 
 // Of closed paths of edges, of which path_of(i) gives number i as a vector of vertices, those that may be tightened to
 // a curve of no greater isoperimetric ratio, as far as their own ratios tell. Ascending. Linear in the paths.
@@ -67,10 +67,15 @@ std::vector<std::size_t> paths_asked_for(std::size_t number_of_paths, const Path
   return result;
 }
 
+// A curve that a coarse level holds, by however little, a finer one may hold firmly. If its prominence is less than
+// this, the coarse level does not hold it.
+constexpr double least_coarse_prominence = 1e-4;
+
 // Adds simple closed geodesics with these traces, curves of a network, to `result`, if they are no less prominent and a
 // `Crossing_filter` lets them pass, if curves are not to cross. What a less prominent one slides to stands for it, and is
 // taken to the network if it is not there: add_seed(path) enters a closed path of edges that shortens to it, and returns
-// the number of that seed. Cost: that of `Barrier_search::search()` for each.
+// the number of that seed. If this level holds it at all, it is added itself, too, but does not count as one that others
+// cross. Cost: that of `Barrier_search::search()` for each.
 template <class AddSeed>
 void add_prominent_curves(Curve_network& network, std::vector<Index> curves,
                           std::vector<std::vector<Trace_point> > traces, const Surface_sides& sides,
@@ -108,6 +113,8 @@ void add_prominent_curves(Curve_network& network, std::vector<Index> curves,
     Prominence p = prominence(search, curve, (std::max)(minimum_prominence, firm_prominence));
     if(p.value < minimum_prominence)
     {
+      if(p.value >= least_coarse_prominence)
+        result.push_back(curves[i]);
       std::vector<Index> path = path_inside(pm, p.strip);
       if(p.end == Barrier_end::CURVE && path.size() > 2 && numbers.insert(search.tightener().enter(p.arcs)).second)
       {

@@ -59,6 +59,15 @@ inline std::vector<Trace_point> trace(const Progressive_mesh& pm, const std::vec
   return result;
 }
 
+// The same closed curve in the other direction. Linear.
+inline std::vector<Trace_point> reversed(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
+{
+  std::vector<Trace_point> result;
+  for(auto p = trace.rbegin(); p != trace.rend(); ++p)
+    result.push_back(p->is_pivot() ? *p : Trace_point{null_index, pm.opposite(p->halfedge), 1 - p->parameter});
+  return result;
+}
+
 inline Vector3 position(const Progressive_mesh& pm, const Trace_point& p)
 {
   if(p.is_pivot())

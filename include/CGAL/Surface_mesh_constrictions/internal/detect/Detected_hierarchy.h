@@ -14,9 +14,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/detect/found_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominence/Slides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Level_copy.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
@@ -36,27 +34,16 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// A curve that a coarse level holds is measured on the input up to this prominence only. If its barrier is higher, it is
-// measured on the coarse level.
-constexpr double prominence_on_input = 0.1;
-
-// A curve is looked for on a coarse level by a closed geodesic of it that is no more than this longer or shorter.
-constexpr double coarse_length_tolerance = 0.1;
-
 // The hierarchy of the curves that a detection has found. Whatever one of them slides to is found, too: it joins them,
 // and is measured in turn, until there is nothing new. Curves are known by numbers of seeds, which stay when curves are
 // merged.
 class Detected_hierarchy
 {
 public:
-  // `coarse` is a level on which prominences are measured, or null
-  Detected_hierarchy(const Progressive_mesh& pm, const Level_copy* coarse, const Surface_sides& sides,
-                     Curve_network& network)
+  // Linear in the size of the mesh.
+  Detected_hierarchy(const Progressive_mesh& pm, const Surface_sides& sides, Curve_network& network)
     : m_pm(pm), m_sides(sides), m_network(network), m_meter(pm)
-  {
-    if(coarse != nullptr)
-      m_coarse.emplace(*coarse);
-  }
+  {}
 
   // Measures the curves that have been found, and adds those that they slide to: to `found`, sorted by length and each
   // once, and their seeds to `refined` and `seeds`. A curve on the way that hardly holds itself is passed by.
@@ -72,20 +59,16 @@ public:
       merge_coinciding(m_network, found);
       m_entries.resize(refined.size());
       if(added.empty())
-      {
         forget_wrong_ends(found);
-        forget_lost_on_coarse(found);
-      }
       std::vector<Index> asked; // curves of the network
       for(const Found_curve& f : found)
         if(!entry(f.curve))
           asked.push_back(f.curve);
-      const std::size_t number_found = asked.size();
       for(const Found_curve& f : added)
         asked.push_back(f.curve);
       if(asked.empty())
         return number_of_passed_seeds();
-      std::vector<Found_curve> next = measure<ConcurrencyTag>(asked, number_found, found, refined, seeds);
+      std::vector<Found_curve> next = measure<ConcurrencyTag>(asked, found, refined, seeds);
       std::vector<Found_curve> held;
       for(const Found_curve& f : added)
       {
@@ -107,20 +90,15 @@ public:
   std::vector<Hierarchy_entry> entries(const std::vector<Found_curve>& found) const
   {
     const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
-    const std::unordered_map<Index, std::size_t> place_on_coarse = places_on_coarse(found);
     const std::vector<std::size_t> rank = ranks(found);
     std::vector<Hierarchy_entry> result;
     for(std::size_t i = 0; i < found.size(); ++i)
     {
       const Entry& e = *entry(found[i].curve);
       Hierarchy_entry h = {e.prominence, std::nullopt, e.slides_off, e.has_end};
-      const std::pair<std::size_t, Index> to = destination(e, place);
-      const auto seed = place.find(to.first);
-      const auto image = place_on_coarse.find(to.second);
-      if(seed != place.end() && rank[seed->second] < rank[i])
-        h.dominated_by = seed->second;
-      else if(image != place_on_coarse.end() && rank[image->second] < rank[i])
-        h.dominated_by = image->second;
+      const auto to = place.find(destination(e, place));
+      if(to != place.end() && rank[to->second] < rank[i])
+        h.dominated_by = to->second;
       result.push_back(h);
     }
     return result;
@@ -135,19 +113,7 @@ private:
     bool has_end;
     bool is_tie = false; // it slides to a curve of the same length
     Index slides_off = null_index;
-    std::size_t slides_to = none;       // seed of the curve
-    Index image = null_index;           // on the coarse level
-    Index slides_to_image = null_index; // of the curve that it slides to, on the coarse level
-  };
-
-  // A coarse level.
-  struct Coarse
-  {
-    const Level_copy& level;
-    Surface_sides sides;
-    Slides slides;
-
-    explicit Coarse(const Level_copy& level) : level(level), sides(level.surface()), slides(level.surface(), sides) {}
+    std::size_t slides_to = none; // seed of the curve
   };
 
   std::size_t number_of_passed_seeds() const
@@ -170,29 +136,10 @@ private:
       const Entry* const e = entry(found[i].curve);
       if(e == nullptr || e->slides_to == none)
         continue;
-      const auto to = place.find(destination(*e, place).first);
+      const auto to = place.find(destination(*e, place));
       const bool is_wrong = to == place.end() ? e->is_tie : rank[to->second] >= rank[i];
       if(is_wrong && m_without_ties.insert(found[i].curve).second)
         forget(found[i].curve);
-    }
-  }
-
-  // A curve may slide on the coarse level to one that has not been found: there may be none on the input. It is measured
-  // there.
-  void forget_lost_on_coarse(const std::vector<Found_curve>& found)
-  {
-    const std::unordered_map<Index, std::size_t> place = places_on_coarse(found);
-    const std::vector<std::size_t> rank = ranks(found);
-    for(std::size_t i = 0; i < found.size(); ++i)
-    {
-      const Entry* const e = entry(found[i].curve);
-      if(e == nullptr || e->slides_to_image == null_index)
-        continue;
-      const auto to = place.find(e->slides_to_image);
-      if(to != place.end() && rank[to->second] < rank[i])
-        continue;
-      m_on_input.insert(found[i].curve);
-      forget(found[i].curve);
     }
   }
 
@@ -209,19 +156,6 @@ private:
     for(std::size_t i = 0; i < found.size(); ++i)
       for(std::size_t r : m_network.curve(found[i].curve).seeds)
         result.emplace(r, i);
-    return result;
-  }
-
-  // By image on the coarse level the place of the shortest curve with that.
-  std::unordered_map<Index, std::size_t> places_on_coarse(const std::vector<Found_curve>& found) const
-  {
-    std::unordered_map<Index, std::size_t> result;
-    for(std::size_t i = 0; i < found.size(); ++i)
-    {
-      const Entry* const e = entry(found[i].curve);
-      if(e != nullptr && e->image != null_index)
-        result.emplace(e->image, i);
-    }
     return result;
   }
 
@@ -252,20 +186,18 @@ private:
     return {least, m_network.curve(c).hash};
   }
 
-  // Where the way from a curve on leads: to the first curve on it that has been found, by a seed of that; or to a curve
-  // of the coarse level.
-  std::pair<std::size_t, Index> destination(const Entry& from,
-                                            const std::unordered_map<std::size_t, std::size_t>& found) const
+  // Where the way from a curve on leads: to the first curve on it that has been found, by a seed of that.
+  std::size_t destination(const Entry& from, const std::unordered_map<std::size_t, std::size_t>& found) const
   {
     const Entry* e = &from;
     while(e->slides_to != none && found.count(e->slides_to) == 0)
     {
       const Entry* const next = entry(m_curves.at(e->slides_to));
       if(next == nullptr)
-        return {none, null_index};
+        return none;
       e = next;
     }
-    return {e->slides_to, e->slides_to_image};
+    return e->slides_to;
   }
 
   const Entry* entry(Index curve) const
@@ -276,12 +208,10 @@ private:
     return nullptr;
   }
 
-  // Writes the entries of curves of the network, the first of which have been found. Returns new curves that they slide
-  // to.
+  // Writes the entries of curves of the network. Returns new curves that they slide to.
   template <class ConcurrencyTag>
-  std::vector<Found_curve> measure(const std::vector<Index>& asked, std::size_t number_found,
-                                   const std::vector<Found_curve>& found, std::vector<Refined_curve>& refined,
-                                   std::vector<Seed_curve>& seeds)
+  std::vector<Found_curve> measure(const std::vector<Index>& asked, const std::vector<Found_curve>& found,
+                                   std::vector<Refined_curve>& refined, std::vector<Seed_curve>& seeds)
   {
     std::vector<Measured_curve> curves;
     for(Index c : asked)
@@ -291,53 +221,15 @@ private:
       m.separates = m_sides.part(m.trace).is_separating();
       curves.push_back(std::move(m));
     }
-    std::vector<Index> images(asked.size(), null_index);
-    std::vector<std::size_t> here, on_coarse; // measured to the end on the input, or not
-    for(std::size_t i = 0; i < asked.size(); ++i)
-    {
-      if(m_coarse && m_on_input.count(asked[i]) == 0)
-        images[i] = image(curves[i]);
-      (images[i] != null_index ? on_coarse : here).push_back(i);
-    }
-
-    std::vector<Prominence> prominences_of(asked.size());
-    const auto measure_here = [&](const std::vector<std::size_t>& numbers, double greatest) {
-      std::vector<Measured_curve> some;
-      for(std::size_t i : numbers)
-        some.push_back(curves[i]);
-      std::vector<Prominence> p = m_meter.measure<ConcurrencyTag>(some, greatest);
-      for(std::size_t j = 0; j < numbers.size(); ++j)
-        prominences_of[numbers[j]] = std::move(p[j]);
-    };
-    measure_here(on_coarse, prominence_on_input);
-    for(std::size_t i : on_coarse)
-      if(prominences_of[i].end == Barrier_end::BEYOND && coarse_prominence(images[i]) < prominence_on_input)
-        here.push_back(i); // the coarse level is another surface there
-    std::sort(here.begin(), here.end());
-    measure_here(here, (std::numeric_limits<double>::infinity)());
+    const std::vector<Prominence> prominences =
+        m_meter.measure<ConcurrencyTag>(curves, (std::numeric_limits<double>::infinity)());
 
     Distinct_curves distinct(m_network);
-    std::unordered_map<Index, double> least; // length of a curve with an image
-    const auto note_image = [&least](Index image, double length) {
-      const auto known = least.emplace(image, length).first;
-      known->second = (std::min)(known->second, length);
-    };
-    const auto is_least_less = [&least](Index image, double length) {
-      const auto known = least.find(image);
-      return known != least.end() && known->second < length * (1 - equal_length_tolerance);
-    };
     for(const Found_curve& f : found)
-      if(const Entry* e = entry(f.curve))
-      {
+      if(entry(f.curve) != nullptr)
         distinct.insert(f.curve);
-        note_image(e->image, f.length);
-      }
-    for(std::size_t i = 0; i < asked.size(); ++i)
-    {
-      distinct.insert(asked[i]);
-      if(i < number_found)
-        note_image(images[i], curves[i].length);
-    }
+    for(Index c : asked)
+      distinct.insert(c);
     // what is not found gives way to an equal curve that is
     for(Index c : m_passed)
       if(!m_network.is_empty(c))
@@ -347,24 +239,12 @@ private:
     {
       if(m_network.is_empty(asked[i]))
         continue;
-      const Prominence& p = prominences_of[i];
+      const Prominence& p = prominences[i];
       Entry e;
-      e.image = images[i];
       e.prominence = p.value;
       e.has_end = p.end != Barrier_end::NONE;
       e.slides_off = p.vertex;
-      if(p.end == Barrier_end::BEYOND)
-      {
-        const Barrier& b = m_coarse->slides.barrier(images[i]);
-        e.prominence = coarse_prominence(images[i]);
-        e.has_end = b.end != Barrier_end::NONE;
-        e.slides_to_image = b.curve;
-        e.slides_off = b.vertex == null_index ? null_index : m_coarse->level.original(b.vertex);
-      }
-      else if(p.end == Barrier_end::CURVE && p.value < default_minimum_prominence && images[i] != null_index &&
-              is_least_less(images[i], curves[i].length))
-        e.slides_to_image = images[i]; // one of many that hardly differ
-      else if(p.end == Barrier_end::CURVE)
+      if(p.end == Barrier_end::CURVE)
       {
         e.slides_to = refined.size();
         e.is_tie = p.length >= curves[i].length * (1 - equal_length_tolerance);
@@ -384,29 +264,13 @@ private:
     return added;
   }
 
-  // The number on the coarse level of what a curve is there, if it is about the same.
-  Index image(const Measured_curve& curve)
-  {
-    const Index c = m_coarse->slides.tighten(m_coarse->level.path(vertices_passed(m_pm, curve.trace)));
-    return c != null_index && std::abs(m_coarse->slides.length(c) / curve.length - 1) <= coarse_length_tolerance
-               ? c
-               : null_index;
-  }
-
-  double coarse_prominence(Index image)
-  {
-    return m_coarse->slides.barrier(image).length / m_coarse->slides.length(image) - 1;
-  }
-
   const Progressive_mesh& m_pm;
   const Surface_sides& m_sides;
   Curve_network& m_network;
   Prominence_meter m_meter;
-  std::optional<Coarse> m_coarse;
   std::vector<std::optional<Entry> > m_entries; // by seed: set for one seed of each curve that has been measured
   std::unordered_map<std::size_t, Index> m_curves; // by seed: that a curve that was measured slides to
   std::unordered_set<Index> m_without_ties;        // curves of the network
-  std::unordered_set<Index> m_on_input;            // curves of the network that are not measured on the coarse level
   std::vector<Index> m_passed;                     // curves of the network that are not found, but were measured
 };
 

@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/seeds/find_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/simplify.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Level_copy.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
@@ -32,8 +31,8 @@ namespace internal {
 constexpr double coarse_prominence_factor = 0.5;
 constexpr double coarse_isoperimetric_factor = 1.2;
 
-// How many seeds are kept of those that become equal there, if constrictions are selected. More lead to more
-// constrictions that hardly differ, and one of those is selected.
+// How many seeds are kept of those that become equal there, if constrictions of the default prominence are selected.
+// More lead to more constrictions that hardly differ, and one of those is selected.
 constexpr std::size_t kept_for_selection = 4;
 
 // What the selection that the named parameters ask for makes worth carrying.
@@ -49,7 +48,8 @@ Carrying_parameters carrying_parameters(const NamedParameters& np)
       choose_parameter(get_parameter(np, internal_np::minimum_prominence), default_minimum_prominence);
   const double ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                         default_maximum_isoperimetric_ratio);
-  result.merging.kept = kept_for_selection;
+  if(prominence >= default_minimum_prominence)
+    result.merging.kept = kept_for_selection;
   result.merging.minimum_prominence = (std::min)(prominence, default_minimum_prominence) * coarse_prominence_factor;
   result.merging.maximum_isoperimetric_ratio = ratio * coarse_isoperimetric_factor;
   result.merging.crossing = choose_parameter(get_parameter(np, internal_np::crossing_constrictions), false);
@@ -83,12 +83,10 @@ struct Seeds_on_input
 };
 
 // Simplifies the mesh, finds seeds on the way, and carries them to T^0: appends them to those of other policies.
-// Returns the surface, at level 0, and copies its level with `prominence_vertices` if there is no copy yet. Takes the
-// connectivity and the points out of the imported mesh if `is_last`.
+// Returns the surface, at level 0. Takes the connectivity and the points out of the imported mesh if `is_last`.
 template <class ConcurrencyTag, class ImportedMesh, class Policies, class NamedParameters, class Visitor>
 Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, const Policies& policies,
-                                      const NamedParameters& np, const Visitor& visitor, Seeds_on_input& all,
-                                      std::optional<Level_copy>& coarse)
+                                      const NamedParameters& np, const Visitor& visitor, Seeds_on_input& all)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -117,9 +115,6 @@ Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, cons
   Progressive_mesh pm = is_last ? Progressive_mesh(std::move(imported.table), std::move(imported.points))
                                 : Progressive_mesh(imported.table, imported.points);
   std::vector<Seed_curve> seeds = find_seeds<ConcurrencyTag>(record, np, first_only, visitor, pm);
-  pm.go_to_level(pm.level_with(prominence_vertices));
-  if(!coarse && pm.level() > 0)
-    coarse.emplace(pm);
   visitor.on_stage_end(Detection_stage::SEEDS);
 
   visitor.on_stage_begin(Detection_stage::REFINEMENT, pm.number_of_collapses());

@@ -10,13 +10,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// For a growing set of simple closed geodesics: which of them another one crosses there and back.
+// For a growing set of simple closed geodesics: which of them another one crosses there and back. The directions of the
+// curves do not matter.
 class Crossed_curves
 {
 public:
@@ -26,14 +28,41 @@ public:
   {}
 
   // Adds a curve. Curves are numbered in this order.
-  void add(const std::vector<Trace_point>& trace) { m_crossings.add(crossings_beside_pivots(m_pm, trace)); }
+  void add(const std::vector<Trace_point>& trace)
+  {
+    m_crossings.add(crossings_beside_pivots(m_pm, trace));
+    m_crossings.add(crossings_beside_pivots(m_pm, reversed(m_pm, trace)));
+  }
 
   // The curves that have been added which a curve crosses, and crosses back again. Those that run beside it, or touch
-  // it, are no such; nor, on a surface with handles, are those that part no neighbourhood of it. Linear, up to a
-  // logarithm, in the edges that it crosses and the curves that cross those.
+  // it, are no such; nor, on a surface with handles, are those that part no neighbourhood of it. Ascending. Linear, up to
+  // a logarithm, in the edges that it crosses and the curves that cross those.
   std::vector<Index> crossed_by(const std::vector<Trace_point>& trace)
   {
-    const std::vector<Index> crossings = crossings_beside_pivots(m_pm, trace);
+    // Curves are moved off their pivots. Two that touch at a pivot are moved apart, or over each other. Between two that
+    // cross there may be nothing but pivots, and then moving them can part them, too. So there must be one side of the
+    // one to which it can be moved, such that it is crossed whatever is done with the other.
+    const std::array<std::vector<Index>, 2> by = {{crossed_beside(crossings_beside_pivots(m_pm, trace)),
+                                                   crossed_beside(crossings_beside_pivots(m_pm, reversed(m_pm, trace)))}};
+    std::vector<Index> result;
+    std::array<std::vector<Index>, 2> some; // crossed if moved to one of its sides
+    for(std::size_t side = 0; side < 2; ++side)
+      for(Index a : by[side])
+        if(!some[side].empty() && some[side].back() == a / 2)
+          result.push_back(a / 2);
+        else
+          some[side].push_back(a / 2);
+    std::set_intersection(some[0].begin(), some[0].end(), some[1].begin(), some[1].end(), std::back_inserter(result));
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+private:
+  // The curves that one beside its pivots crosses, of which these are the crossed halfedges; twice a number if it is
+  // moved to its left, and one more if to its right. Ascending.
+  std::vector<Index> crossed_beside(const std::vector<Index>& crossings)
+  {
     m_class.restart(m_crossings.number_of_curves());
     m_class.set(m_pm.target(crossings[0]), 0);
     for(std::size_t i = 0; i <= crossings.size(); ++i)
@@ -62,10 +91,10 @@ public:
                      if(m_class.is_consistent(a))
                        result.push_back(a);
                    });
+    std::sort(result.begin(), result.end());
     return result;
   }
 
-private:
   const Progressive_mesh& m_pm;
   Curve_crossings m_crossings;
   Vertex_classes m_class; // of a vertex beside the curve that was asked about last

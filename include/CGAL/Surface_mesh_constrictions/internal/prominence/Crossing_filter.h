@@ -26,9 +26,12 @@ constexpr std::size_t crossing_limit = 16;
 constexpr std::ptrdiff_t firm_crossing_limit = 4;
 constexpr double firm_prominence = 0.3;
 
-// Tells closed geodesics that would hardly ever be selected, because of shorter ones that they cross: they cross many
-// there and back, or they are composed of shorter ones, see `composed_constrictions()`. Curves come from the shortest
-// to the longest, so that few are kept of a family of any size.
+// A coarse level tells only roughly how many: there it takes this many times as many.
+constexpr double coarse_crossing_factor = 1.5;
+
+// Tells closed geodesics of a coarse level that would hardly ever be selected, because of shorter ones that they cross:
+// they cross many there and back, or they are composed of shorter ones, see `composed_constrictions()`. Curves come from
+// the shortest to the longest, so that few are kept of a family of any size.
 class Crossing_filter
 {
 public:
@@ -40,8 +43,9 @@ public:
   {
     m_is_firm.resize((std::max)(m_is_firm.size(), static_cast<std::size_t>(i) + 1), false);
     m_reduced = Homology_basis::Reduced();
-    if(crossed.size() >= crossing_limit ||
-       std::count_if(crossed.begin(), crossed.end(), [&](Index j) { return m_is_firm[j]; }) >= firm_crossing_limit)
+    const auto firm = std::count_if(crossed.begin(), crossed.end(), [&](Index j) { return m_is_firm[j]; });
+    if(static_cast<double>(crossed.size()) >= coarse_crossing_factor * crossing_limit ||
+       static_cast<double>(firm) >= coarse_crossing_factor * firm_crossing_limit)
       return false;
     const Parting parting = m_sides.part(trace);
     if(parting.is_separating())
