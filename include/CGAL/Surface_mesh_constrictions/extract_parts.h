@@ -55,17 +55,17 @@ struct Part_cap
 /// So the volumes of the parts add up to that of the mesh, up to rounding. The triangles are those of
 /// `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`, or, where one of their sides is an edge of the mesh
 /// already, those of least area without such sides; where there are none, the cone to the mean of the vertices. Where
-/// curves share a stretch of edges, and the holes of different parts therefore have some edges in common and others not,
-/// all of them are closed by cones to one common point. Where a curve touches itself or another, the hole is closed as
-/// several.
+/// curves share a stretch of edges, and the holes of different parts therefore have some edges in common and others
+/// not, all of them are closed by cones to one common point. Where a curve touches itself or another, the hole is
+/// closed as several.
 ///
 /// Holes of the mesh stay open, and so does a hole that runs partly along one of them, unless `with_filled_holes` asks
-/// for closed parts. The holes are filled in the same ways then, and the volumes of the parts add up to that of the mesh
-/// with its holes filled.
+/// for closed parts. The holes are filled in the same ways then, and the volumes of the parts add up to that of the
+/// mesh with its holes filled.
 ///
-/// A cap may intersect its part where the surface is strongly bent around a curve, or where the part reaches through the
-/// curve. Which do is told if `cap_output_iterator` is given. The volume of a part is negative if its surface encloses
-/// what is outside of the solid, as the wall of a pocket closed by a cap over its opening.
+/// A cap may intersect its part where the surface is strongly bent around a curve, or where the part reaches through
+/// the curve. Which do is told if `cap_output_iterator` is given. The volume of a part is negative if its surface
+/// encloses what is outside of the solid, as the wall of a pocket closed by a cap over its opening.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph`, default constructible
 /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edges of `tm` as key type and `bool` as value

@@ -166,7 +166,7 @@ TEST(Boundary_parts, ARimCutsNothingOff)
     EXPECT_TRUE(CGAL::is_closed(part));
 }
 
-// The volume of the cones from a point over the faces of a mesh, and, turned over, over its holes but for flat ends.
+// The volume of the cones from a point over the faces of a mesh, with sign.
 double volume_with_cone(const Mesh& mesh, const Point& apex)
 {
   double result = 0;
@@ -217,11 +217,9 @@ TEST(Boundary_parts, ANeckAroundAHole)
   for(Mesh::Vertex_index v : cut.split.vertices())
     added.erase(cut.split.point(v));
   ASSERT_EQ(added.size(), 1u);
-  // the cone over the hole has its tip there, so nothing is between the two but the flat ends, whose height is known
-  const Point apex = *added.begin();
-  const double end_area = 12 * 4 * std::sin(CGAL_PI / 6) / 2;
-  const double expected = volume_with_cone(cut.split, apex) +
-                          end_area * ((1 - apex.z()) + (1 + apex.z())) / 3 * (volume < 0 ? -1 : 1);
+  // the cone over the hole has its tip there; what is missing are the cones over the flat ends, of together height 2
+  const double end_area = around * 4 * std::sin(2 * CGAL_PI / around) / 2;
+  const double expected = volume_with_cone(cut.split, *added.begin()) + std::copysign(2 * end_area / 3, volume);
   EXPECT_NEAR(volume, expected, 1e-9);
 }
 

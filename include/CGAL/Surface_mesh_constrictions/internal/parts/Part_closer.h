@@ -33,11 +33,11 @@ struct Closed_loops
 // Closes the parts of a mesh that has been opened along marked edges, all of them together, by caps that cancel: what a
 // cap adds to the volume of one part, caps of others take away.
 //
-// The border of a part is taken apart where it touches itself, into loops that pass each vertex once. Of a loop that runs
-// along the same edges as a loop on their other side both get the same triangles, turned over. Loops that share some
-// edges only, as where curves share a stretch, get cones to one common point, the mean of all of their vertices: a cone
-// over a sum of paths is the sum of the cones over them, and these paths are there once in each direction. A hole of the
-// mesh has nothing on its other side, and gets triangles of its own.
+// The border of a part is taken apart where it touches itself, into loops that pass each vertex once. Of a loop that
+// runs along the same edges as a loop on their other side both get the same triangles, turned over. Loops that share
+// some edges only, as where curves share a stretch, get cones to one common point, the mean of all of their vertices: a
+// cone over a sum of paths is the sum of the cones over them, and these paths are there once in each direction. A hole
+// of the mesh has nothing on its other side, and gets triangles of its own.
 template <class TriangleMesh, class EdgeIsConstrainedMap, class VertexPointMap>
 class Part_closer
 {
@@ -156,10 +156,7 @@ private:
   }
 
   // The vertex of a part at the beginning of a halfedge of its faces.
-  std::size_t corner_at_source(std::size_t part, halfedge_descriptor h)
-  {
-    return m_parts[part].vertex(prev(h, m_tm));
-  }
+  std::size_t corner_at_source(std::size_t part, halfedge_descriptor h) { return m_parts[part].vertex(prev(h, m_tm)); }
 
   // The loop on the other side of a halfedge of loop i; i if that side stays open.
   std::size_t loop_across(halfedge_descriptor h, std::size_t i) const
@@ -181,8 +178,8 @@ private:
   {
     const std::vector<halfedge_descriptor>& border = m_caps[i].border;
     const std::size_t twin = loop_across(border.front(), i);
-    const bool is_common = std::all_of(border.begin(), border.end(),
-                                       [&](halfedge_descriptor h) { return loop_across(h, i) == twin; });
+    const bool is_common =
+        std::all_of(border.begin(), border.end(), [&](halfedge_descriptor h) { return loop_across(h, i) == twin; });
     return is_common && m_caps[twin].border.size() == border.size() && passes_each_vertex_once(border, m_tm) ? twin : i;
   }
 
@@ -267,8 +264,9 @@ private:
   bool close_as_hole(std::size_t i)
   {
     const std::vector<halfedge_descriptor>& border = m_caps[i].border;
-    if(!std::all_of(border.begin(), border.end(), [this](halfedge_descriptor h) { return CGAL::is_border_edge(h, m_tm); }) ||
-       !passes_each_vertex_once(border, m_tm))
+    const bool is_hole = std::all_of(border.begin(), border.end(),
+                                     [this](halfedge_descriptor h) { return CGAL::is_border_edge(h, m_tm); });
+    if(!is_hole || !passes_each_vertex_once(border, m_tm))
       return false;
     const Cap_triangles triangles = triangles_on(border);
     if(!triangles.empty())
