@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/Local_boundary_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>

@@ -20,6 +20,7 @@
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Refused_collapse_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Saddle_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Cut_locus_seeds}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Local_boundary_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Local_cut_locus_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Section_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Boundary_seeds}

@@ -11,6 +11,24 @@
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
+namespace internal {
+
+// The boundary of the hole that a ghost closes. Linear in its edges.
+inline Seed_curve boundary_seed(const Progressive_mesh& pm, Index ghost)
+{
+  std::vector<Index> loop;
+  const Index begin = pm.outgoing(ghost);
+  Index h = begin;
+  do
+  {
+    loop.push_back(pm.target(h));
+    h = pm.ccw(h);
+  } while(h != begin);
+  make_canonical(loop);
+  return Seed_curve{pm.level(), std::move(loop), Seed_origin::BOUNDARY};
+}
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// writes the boundaries of the holes of the current surface. Tightened, such a loop is what a rubber band becomes that
@@ -25,18 +43,7 @@ OutputIterator boundary_seeds(const Progressive_mesh& pm, OutputIterator out)
 {
   const Index n = static_cast<Index>(pm.number_of_vertex_ids());
   for(Index ghost = n - static_cast<Index>(pm.number_of_holes()); ghost < n; ++ghost)
-  {
-    std::vector<Index> loop;
-    const Index begin = pm.outgoing(ghost);
-    Index h = begin;
-    do
-    {
-      loop.push_back(pm.target(h));
-      h = pm.ccw(h);
-    } while(h != begin);
-    internal::make_canonical(loop);
-    *out++ = Seed_curve{pm.level(), std::move(loop), Seed_origin::BOUNDARY};
-  }
+    *out++ = internal::boundary_seed(pm, ghost);
   return out;
 }
 

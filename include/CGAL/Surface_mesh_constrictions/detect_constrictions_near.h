@@ -4,11 +4,13 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+#include <CGAL/Surface_mesh_constrictions/Local_boundary_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Query_location.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/reordered.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -45,7 +47,8 @@ struct Statistics_keeper
 /// finds the constrictions near a location: "the loop around this arm".
 ///
 /// It is `detect_constrictions()` with seeds that pass through the location: the loops of `Local_cut_locus_seeds` at
-/// the vertex of `tm` that is nearest to `location`. The constrictions that the seeds lead to are written in the order
+/// the vertex of `tm` that is nearest to `location`; and of a mesh with holes the boundaries of the three nearest ones,
+/// `Local_boundary_seeds`. The constrictions that the seeds lead to are written in the order
 /// of \f$d (1 + d/L) + L/10\f$, where \f$L\f$ is the length and \f$d\f$ the distance in space from the location, less
 /// the width of the flat band if there is one: the nearest first, but of two that are about as near the shorter one,
 /// and one that is several times its length away late.
@@ -89,6 +92,7 @@ struct Statistics_keeper
 ///
 /// \sa `detect_constrictions()`
 /// \sa `Local_cut_locus_seeds`
+/// \sa `Local_boundary_seeds`
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class Point, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& location, OutputIterator out,
@@ -105,6 +109,7 @@ OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& lo
   const double minimum_prominence = choose_parameter(get_parameter(np, internal_np::minimum_prominence), 0.0);
 
   const internal::Query_location<TriangleMesh, std::decay_t<decltype(vpm)> > query(tm, vpm, location);
+  const Index nearest = query.nearest_vertex();
   typedef internal::Statistics_keeper<std::decay_t<decltype(visitor)> > Keeper;
   Detection_statistics statistics;
   const Named_function_parameters<Keeper, internal_np::visitor_t, NamedParameters> kept(
@@ -114,7 +119,7 @@ OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& lo
   std::vector<Constriction<TriangleMesh> > found;
   detect_constrictions<ConcurrencyTag>(
       tm, std::back_inserter(found),
-      parameters::seed_sources(Local_cut_locus_seeds(query.nearest_vertex()),
+      parameters::seed_sources(Seed_sources(Local_cut_locus_seeds(nearest), Local_boundary_seeds(nearest)),
                                parameters::first_constriction_only(false, selection)));
 
   std::vector<double> nearness;

@@ -55,15 +55,17 @@ struct Part_cap
 /// So the volumes of the parts add up to that of the mesh, up to rounding. The triangles are those of
 /// `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`, or, where one of their sides is an edge of the mesh
 /// already, those of least area without such sides; where there are none, the cone to the mean of the vertices. Where
-/// curves share a stretch of edges, and the holes of different parts therefore have some edges in common and others not,
-/// all of them are closed by cones to one common point. Where a curve touches itself or another, the hole is closed as
-/// several.
+/// curves share a stretch of edges, and the holes of different parts therefore have some edges in common and others
+/// not, all of them are closed by cones to one common point. Where a curve touches itself or another, the hole is
+/// closed as several.
 ///
-/// Holes of the mesh stay open, and so does a hole that runs partly along one of them.
+/// Holes of the mesh stay open, and so does a hole that runs partly along one of them, unless `with_filled_holes` asks
+/// for closed parts. The holes are filled in the same ways then, and the volumes of the parts add up to that of the
+/// mesh with its holes filled.
 ///
-/// A cap may intersect its part where the surface is strongly bent around a curve, or where the part reaches through the
-/// curve. Which do is told if `cap_output_iterator` is given. The volume of a part is negative if its surface encloses
-/// what is outside of the solid, as the wall of a pocket closed by a cap over its opening.
+/// A cap may intersect its part where the surface is strongly bent around a curve, or where the part reaches through
+/// the curve. Which do is told if `cap_output_iterator` is given. The volume of a part is negative if its surface
+/// encloses what is outside of the solid, as the wall of a pocket closed by a cap over its opening.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph`, default constructible
 /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edges of `tm` as key type and `bool` as value
@@ -88,8 +90,14 @@ struct Part_cap
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{with_filled_holes}
+///     \cgalParamDescription{whether other holes are filled: those of `tm`, and those that run partly along one; a
+///                           function of `CGAL::Surface_mesh_constrictions::parameters`}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{cap_output_iterator}
-///     \cgalParamDescription{takes a `Part_cap` for each cap; a function of
+///     \cgalParamDescription{takes a `Part_cap` for each cap, those of filled holes included; a function of
 ///                           `CGAL::Surface_mesh_constrictions::parameters`}
 ///     \cgalParamType{a model of `OutputIterator`}
 ///     \cgalParamDefault{unset: caps are not looked at for intersections}
@@ -110,7 +118,9 @@ OutputIterator extract_parts(const TriangleMesh& tm, EdgeIsConstrainedMap edge_i
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   const auto vpm =
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
-  const bool with_caps = choose_parameter(get_parameter(np, internal_np::with_caps), true);
+  const internal::Closed_loops closed_loops = {
+      choose_parameter(get_parameter(np, internal_np::with_caps), true),
+      choose_parameter(get_parameter(np, internal_np::with_filled_holes), false)};
 
   const auto component = get(CGAL::dynamic_face_property_t<std::size_t>(), tm);
   const std::size_t n =
@@ -126,9 +136,9 @@ OutputIterator extract_parts(const TriangleMesh& tm, EdgeIsConstrainedMap edge_i
     for(auto f : faces_of_part[p])
       opened[p].add_face(f);
   std::vector<std::vector<typename Closer::Cap>> caps_of_part(n);
-  if(with_caps)
+  if(closed_loops.along_curves || closed_loops.along_holes)
   {
-    const Closer closer(tm, edge_is_constrained_map, vpm, faces_of_part, opened);
+    const Closer closer(tm, edge_is_constrained_map, vpm, faces_of_part, closed_loops, opened);
     for(const typename Closer::Cap& c : closer.caps())
       caps_of_part[c.part].push_back(c);
   }

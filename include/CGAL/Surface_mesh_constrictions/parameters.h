@@ -44,6 +44,7 @@ enum rim_constrictions_t { rim_constrictions };
 enum maximum_number_of_parts_t { maximum_number_of_parts };
 enum choked_side_t { choked_side };
 enum with_caps_t { with_caps };
+enum with_filled_holes_t { with_filled_holes };
 enum cap_output_iterator_t { cap_output_iterator };
 
 } // namespace internal_np
@@ -154,6 +155,11 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(choked_side)
 /// Whether the holes along which parts have been cut off are filled. Type: `bool`. Default: `true`. Of
 /// `extract_parts()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(with_caps)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Whether the other holes of the parts are filled, too: those that the mesh has, and those that run partly along one.
+/// Type: `bool`. Default: `false`. Of `extract_parts()`.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(with_filled_holes)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// Takes a `Part_cap` for each cap that closes a part. Type: a model of `OutputIterator`. Default: unset.

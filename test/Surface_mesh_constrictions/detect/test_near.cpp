@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/detect.h"
+#include "include/open_meshes.h"
 #include "include/real_meshes.h"
 #include "include/statistics_taker.h"
 #include "include/test_meshes.h"
 
+#include <CGAL/Surface_mesh_constrictions/Local_boundary_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/boundary_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions_near.h>
+#include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +16,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -140,6 +146,81 @@ TEST(Near, TheStatisticsAddUp)
   EXPECT_GT(s.not_selected, 0u);
   EXPECT_EQ(s.seeds + s.barriers,
             s.degenerate + s.discarded + s.not_simple + s.not_certified + s.merged + s.not_selected + 2);
+}
+
+std::set<Mesh::Vertex_index> pivots(const Constriction& c)
+{
+  std::set<Mesh::Vertex_index> result;
+  for(const Constriction::Pivot& p : c.pivots())
+    result.insert(p.vertex);
+  return result;
+}
+
+// Bodies with a hole: at the hole, its rim comes first if rims are asked for, as `detect_constrictions()` finds it.
+TEST(Near, AtAHoleItsRimComesFirstIfRimsAreAskedFor)
+{
+  for(const test_meshes::Soup& soup :
+      {test_meshes::dumbbell(0.003, 1), test_meshes::dumbbell(0.003, 1, 60, 40)}) // below and above 1000 vertices
+    for(double height : {0.5, 1.5, 2.5})
+    {
+      SCOPED_TRACE(height);
+      std::size_t taken = 0;
+      const auto distance = [&](std::size_t v) {
+        const test_meshes::Position& p = soup.points[v];
+        return std::hypot(p[0] - 1, p[1], p[2] - height);
+      };
+      for(std::size_t v = 0; v < soup.points.size(); ++v)
+        if(distance(v) < distance(taken))
+          taken = v;
+      const Mesh mesh = test_meshes::make_mesh(open_meshes::without_star(soup, taken));
+      const test_meshes::Position& p = soup.points[taken];
+      const Point location(p[0], p[1], p[2]);
+      std::vector<Constriction> rims;
+      for(const Constriction& c : detection::detect(mesh, params::rim_constrictions(true)))
+        if(c.is_rim())
+          rims.push_back(c);
+      ASSERT_EQ(rims.size(), 1u);
+      const std::vector<Constriction> curves = near(mesh, location, params::rim_constrictions(true));
+      ASSERT_FALSE(curves.empty());
+      EXPECT_TRUE(curves[0].is_rim());
+      EXPECT_TRUE(curves[0].certificate().is_certified());
+      EXPECT_EQ(pivots(curves[0]), pivots(rims[0]));
+      for(const Constriction& c : near(mesh, location, params::rim_constrictions(false)))
+        EXPECT_FALSE(c.is_rim());
+    }
+}
+
+std::vector<SMC::Seed_curve> boundaries_near(const SMC::Progressive_mesh& pm, SMC::Index vertex, std::size_t max_holes)
+{
+  const SMC::Seed_level level = {pm.number_of_vertices(), 0, SMC::null_index, nullptr};
+  std::vector<SMC::Seed_curve> result;
+  SMC::Local_boundary_seeds(vertex, 1000, max_holes)(pm, level, std::back_inserter(result));
+  return result;
+}
+
+// The hole that a vertex lies on is the nearest; there are no more than there are, and none on another component.
+TEST(Near, TheHolesOfTheSeedsAreTheNearest)
+{
+  const test_meshes::Soup closed = test_meshes::dumbbell(0.003, 1, 60, 40);
+  const test_meshes::Soup body = open_meshes::with_random_holes(closed, 30, 1);
+  const SMC::Progressive_mesh pm =
+      SMC::make_progressive_mesh(test_meshes::make_mesh(test_meshes::joined(body, closed, 20)), {});
+  std::vector<SMC::Seed_curve> all;
+  SMC::boundary_seeds(pm, std::back_inserter(all));
+  ASSERT_GE(all.size(), 20u);
+  for(const SMC::Seed_curve& hole : all)
+    for(SMC::Index v : hole.vertices)
+    {
+      const std::vector<SMC::Seed_curve> some = boundaries_near(pm, v, 3);
+      ASSERT_EQ(some.size(), 3u);
+      EXPECT_EQ(some[0].vertices, hole.vertices);
+      EXPECT_EQ(some[0].origin, SMC::Seed_origin::BOUNDARY);
+      EXPECT_NE(some[1].vertices, some[2].vertices);
+      EXPECT_EQ(boundaries_near(pm, v, 1).size(), 1u);
+      EXPECT_EQ(boundaries_near(pm, v, 1000).size(), all.size());
+    }
+  const SMC::Index on_other_component = static_cast<SMC::Index>(body.points.size());
+  EXPECT_TRUE(boundaries_near(pm, on_other_component, 3).empty());
 }
 
 // The seeds pass through the location, so nothing is found on the other component.

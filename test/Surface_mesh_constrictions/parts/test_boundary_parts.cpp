@@ -11,6 +11,8 @@
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <set>
 #include <vector>
 
 namespace test_boundary_parts {
@@ -28,6 +31,7 @@ using test_meshes::Mesh;
 using test_meshes::Soup;
 
 typedef SMC::Constriction<Mesh> Constriction;
+typedef Mesh::Point Point;
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Marks;
 
 const int around = 12;
@@ -122,6 +126,25 @@ TEST(Boundary_parts, TheEndsOfATubeStayOpen)
     EXPECT_EQ(number_of_holes(part), 1u);
   for(const Mesh& part : cut.extract(SMC::parameters::with_caps(false)))
     EXPECT_EQ(number_of_holes(part), 2u);
+  const std::vector<Mesh> closed = cut.extract(SMC::parameters::with_filled_holes(true));
+  ASSERT_EQ(closed.size(), 2u);
+  for(const Mesh& part : closed)
+  {
+    EXPECT_TRUE(CGAL::is_closed(part));
+    EXPECT_TRUE(part.is_valid(false));
+    // a ring of the tube has as many corners as the cut, and a cap two triangles less
+    EXPECT_EQ(part.number_of_faces(), cut.split.number_of_faces() / 2 + 2 * (around - 2));
+  }
+  // the ends are plane, so that what they are filled with does not matter
+  EXPECT_NEAR(std::abs(cut.parts.parts[0].volume), std::abs(PMP::volume(closed[0])), 1e-9);
+  EXPECT_NEAR(PMP::volume(closed[0]), PMP::volume(closed[1]), 1e-9);
+  // the ends only
+  for(const Mesh& part : cut.extract(SMC::parameters::with_filled_holes(true, SMC::parameters::with_caps(false))))
+  {
+    EXPECT_EQ(number_of_holes(part), 1u);
+    for(Mesh::Vertex_index v : part.vertices())
+      EXPECT_EQ(part.is_border(v), std::abs(part.point(v).z()) < 0.1);
+  }
   // the volumes with the holes closed by cones, as the faces are oriented
   EXPECT_NEAR(cut.parts.parts[0].volume, cut.parts.parts[1].volume, 1e-9);
 }
@@ -136,6 +159,24 @@ TEST(Boundary_parts, ARimCutsNothingOff)
   ASSERT_EQ(cut.parts.parts.size(), 1u);
   EXPECT_EQ(cut.parts.parts[0].number_of_boundaries, 2u);
   EXPECT_TRUE(cut.parts.adjacencies.empty());
+  // there is nothing to cap; filled are both ends, of which the curve runs along one
+  for(const Mesh& part : cut.extract())
+    EXPECT_EQ(number_of_holes(part), 2u);
+  for(const Mesh& part : cut.extract(SMC::parameters::with_filled_holes(true)))
+    EXPECT_TRUE(CGAL::is_closed(part));
+}
+
+// The volume of the cones from a point over the faces of a mesh, with sign.
+double volume_with_cone(const Mesh& mesh, const Point& apex)
+{
+  double result = 0;
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    result += CGAL::volume(apex, mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                           mesh.point(mesh.target(mesh.next(h))));
+  }
+  return result;
 }
 
 // The neck goes around the hole: the hole belongs to one part, and the parts meet where the neck does not run along it.
@@ -161,6 +202,110 @@ TEST(Boundary_parts, ANeckAroundAHole)
   for(const Mesh& part : cut.extract())
     holes += number_of_holes(part);
   EXPECT_EQ(holes, 3u); // two ends, and that of the neck and the hole
+
+  // One part has the neck, the other what is left of the neck and of the hole: both are closed by cones to one point.
+  double volume = 0;
+  std::set<Point> added;
+  for(const Mesh& part : cut.extract(SMC::parameters::with_filled_holes(true)))
+  {
+    EXPECT_TRUE(CGAL::is_closed(part));
+    EXPECT_TRUE(part.is_valid(false));
+    volume += PMP::volume(part);
+    for(Mesh::Vertex_index v : part.vertices())
+      added.insert(part.point(v));
+  }
+  for(Mesh::Vertex_index v : cut.split.vertices())
+    added.erase(cut.split.point(v));
+  ASSERT_EQ(added.size(), 1u);
+  // the cone over the hole has its tip there; what is missing are the cones over the flat ends, of together height 2
+  const double end_area = around * 4 * std::sin(2 * CGAL_PI / around) / 2;
+  const double expected = volume_with_cone(cut.split, *added.begin()) + std::copysign(2 * end_area / 3, volume);
+  EXPECT_NEAR(volume, expected, 1e-9);
+}
+
+std::vector<Mesh> parts_without_curves(const Mesh& mesh, bool with_filled_holes,
+                                       std::vector<SMC::Part_cap<Mesh>>* caps = nullptr)
+{
+  Mesh copy = mesh;
+  const Marks marks = copy.add_property_map<Mesh::Edge_index, bool>("e:none", false).first;
+  std::vector<Mesh> result;
+  std::vector<SMC::Part_cap<Mesh>> told;
+  SMC::extract_parts(copy, marks, std::back_inserter(result),
+                     SMC::parameters::with_filled_holes(
+                         with_filled_holes, SMC::parameters::cap_output_iterator(std::back_inserter(told))));
+  if(caps != nullptr)
+    *caps = told;
+  return result;
+}
+
+// What has been taken away is given back, up to where the surface bends.
+TEST(Boundary_parts, HolesOfTheMeshAreFilledWhenAsked)
+{
+  const Soup body = test_meshes::dumbbell(0.01, 1);
+  for(unsigned seed = 0; seed < 10; ++seed)
+  {
+    const Mesh mesh = test_meshes::make_mesh(open_meshes::with_random_holes(body, 5, seed));
+    const std::size_t holes = number_of_holes(mesh);
+    ASSERT_GT(holes, 0u);
+    const std::vector<Mesh> open = parts_without_curves(mesh, false);
+    ASSERT_EQ(open.size(), 1u);
+    EXPECT_EQ(number_of_holes(open[0]), holes);
+    EXPECT_EQ(open[0].number_of_faces(), mesh.number_of_faces());
+
+    std::vector<SMC::Part_cap<Mesh>> caps;
+    const std::vector<Mesh> closed = parts_without_curves(mesh, true, &caps);
+    ASSERT_EQ(closed.size(), 1u);
+    EXPECT_TRUE(CGAL::is_closed(closed[0]));
+    EXPECT_TRUE(closed[0].is_valid(false));
+    EXPECT_EQ(closed[0].number_of_vertices(), open[0].number_of_vertices());
+    EXPECT_EQ(caps.size(), holes);
+    std::size_t triangles = 0;
+    for(const SMC::Part_cap<Mesh>& c : caps)
+    {
+      EXPECT_EQ(c.part, 0u);
+      EXPECT_FALSE(c.intersects_part);
+      for(Mesh::Halfedge_index h : c.border)
+        EXPECT_TRUE(mesh.is_border(mesh.opposite(h)));
+      triangles += c.border.size() - 2;
+    }
+    EXPECT_EQ(closed[0].number_of_faces(), mesh.number_of_faces() + triangles);
+    EXPECT_GT(PMP::volume(closed[0]), 0.9 * PMP::volume(test_meshes::make_mesh(body)));
+  }
+}
+
+// Two holes that touch at a vertex are two loops, and the vertex is one again when both are filled.
+TEST(Boundary_parts, HolesThatTouchAreFilledEach)
+{
+  Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.01, 1));
+  const double volume = PMP::volume(mesh);
+  const std::size_t nf = mesh.number_of_faces(), nv = mesh.number_of_vertices();
+  const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Vertex_index(0));
+  const Mesh::Halfedge_index across = mesh.opposite(mesh.next(mesh.opposite(mesh.next(h))));
+  for(Mesh::Face_index f : {mesh.face(h), mesh.face(across)})
+    CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+  mesh.collect_garbage();
+  ASSERT_EQ(number_of_holes(mesh), 2u);
+  const std::vector<Mesh> closed = parts_without_curves(mesh, true);
+  ASSERT_EQ(closed.size(), 1u);
+  EXPECT_TRUE(CGAL::is_closed(closed[0]));
+  EXPECT_TRUE(closed[0].is_valid(false));
+  EXPECT_EQ(closed[0].number_of_faces(), nf);
+  EXPECT_EQ(closed[0].number_of_vertices(), nv);
+  EXPECT_NEAR(PMP::volume(closed[0]), volume, 1e-12);
+}
+
+// A triangle alone cannot be closed by a triangle.
+TEST(Boundary_parts, ATriangleIsClosedByACone)
+{
+  Mesh mesh;
+  const Mesh::Vertex_index a = mesh.add_vertex(Point(0, 0, 0)), b = mesh.add_vertex(Point(1, 0, 0)),
+                           c = mesh.add_vertex(Point(0, 1, 0));
+  mesh.add_face(a, b, c);
+  const std::vector<Mesh> closed = parts_without_curves(mesh, true);
+  ASSERT_EQ(closed.size(), 1u);
+  EXPECT_TRUE(CGAL::is_closed(closed[0]));
+  EXPECT_EQ(closed[0].number_of_faces(), 4u);
+  EXPECT_EQ(parts_without_curves(mesh, false).front().number_of_faces(), 1u);
 }
 
 } // namespace test_boundary_parts

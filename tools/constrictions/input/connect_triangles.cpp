@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input/connect_triangles.h"
 
-#include "input/disjoint_sets.h"
 #include "input/edge_groups.h"
-#include "input/pair_sides.h"
+#include "input/join_faces.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <memory>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 namespace constrictions {
@@ -38,11 +35,11 @@ public:
     if(leave_out_flat_triangles())
       find_edges();
     orient();
-    pair();
-    if(leave_out_vanished_bodies())
+    join();
+    while(leave_out_vanished_bodies())
     {
       find_edges();
-      pair();
+      join();
     }
     split_vertices();
     return table();
@@ -51,16 +48,8 @@ public:
 private:
   typedef Edge_groups::Side Side;
 
-  // An edge with more than two faces, or with two that run along it in the same direction.
-  struct Crowded_edge
-  {
-    Index u, v; // u < v
-    std::vector<Side> sides;
-  };
-
   Index next(Index h) const { return Corner_table::next(h); }
   Index corner(Index h) const { return m_triangles.corners[h]; }
-  Index apex(Index h) const { return corner(Corner_table::prev(h)); }
 
   void find_edges()
   {
@@ -260,93 +249,9 @@ private:
     return result;
   }
 
-  // Pairs the sides at each crowded edge so that no two edges have the same ends once the vertices are split.
-  void pair()
+  void join()
   {
-    m_fan_of.reset();
-    if(m_crowded.empty())
-      return;
-    const bool is_inside_out = volume() < 0;
-    std::vector<std::vector<std::vector<Side_pair>>> ways;
-    std::vector<std::size_t> way(m_crowded.size(), 0);
-    for(const Crowded_edge& edge : m_crowded)
-    {
-      std::vector<Side_at_edge> sides;
-      for(const Side& s : edge.sides)
-        sides.push_back({s.side, s.is_forth, m_points[apex(s.side)]});
-      ways.push_back(ways_to_pair(m_points[edge.u], m_points[edge.v], sides, is_inside_out));
-      set_pairs(edge, ways.back()[0]);
-    }
-    // What becomes of an edge depends on its neighbours: of neighbours one is changed at a time, as long as that does
-    // not take too long.
-    const int patience = 200;
-    for(int round = 0;; ++round)
-    {
-      const std::vector<std::size_t> failures = edges_with_equal_ends();
-      if(failures.empty())
-        return;
-      std::unordered_set<Index> touched;
-      for(std::size_t e : failures)
-      {
-        if(way[e] + 1 == ways[e].size())
-          throw_not_split(m_crowded[e]);
-        const bool is_first = touched.insert(m_crowded[e].u).second && touched.insert(m_crowded[e].v).second;
-        if(!is_first && round < patience)
-          continue;
-        ++way[e];
-        set_pairs(m_crowded[e], ways[e][way[e]]);
-      }
-    }
-  }
-
-  void set_pairs(const Crowded_edge& edge, const std::vector<Side_pair>& pairs)
-  {
-    for(const Side& s : edge.sides)
-      m_opposite[s.side] = null_index;
-    for(const Side_pair& p : pairs)
-    {
-      m_opposite[p[0]] = p[1];
-      m_opposite[p[1]] = p[0];
-    }
-  }
-
-  // By the fans of faces around the vertices: each corner with the one that is reached over an edge.
-  void find_fans()
-  {
-    m_fan_of = std::make_unique<Disjoint_sets>(m_triangles.corners.size());
-    for(Index h = 0; h < m_opposite.size(); ++h)
-      if(m_opposite[h] != null_index)
-        m_fan_of->unite(h, next(m_opposite[h]));
-  }
-
-  std::vector<std::size_t> edges_with_equal_ends()
-  {
-    find_fans();
-    std::vector<std::size_t> result;
-    for(std::size_t e = 0; e < m_crowded.size(); ++e)
-    {
-      std::vector<std::pair<Index, Index>> ends; // fans at u and at v
-      for(const Side& s : m_crowded[e].sides)
-      {
-        if(m_opposite[s.side] != null_index && m_opposite[s.side] < s.side)
-          continue;
-        const Index from = m_fan_of->find(s.side), to = m_fan_of->find(next(s.side));
-        ends.push_back(s.is_forth ? std::make_pair(from, to) : std::make_pair(to, from));
-      }
-      std::sort(ends.begin(), ends.end());
-      if(std::adjacent_find(ends.begin(), ends.end()) != ends.end())
-        result.push_back(e);
-    }
-    return result;
-  }
-
-  [[noreturn]] void throw_not_split(const Crowded_edge& edge) const
-  {
-    const Index f = m_triangles.face[edge.sides.front().side / 3];
-    throw Invalid_input(Input_defect::NON_MANIFOLD_EDGE, f,
-                        "non-manifold edge: " + edge_name(edge.u, edge.v) + " of face " + std::to_string(f) + " has " +
-                            std::to_string(edge.sides.size()) +
-                            " faces, and cannot be made several edges with different ends");
+    m_joined = join_faces(m_points, m_triangles.corners, m_crowded, !m_crowded.empty() && volume() < 0, m_opposite);
   }
 
   // Two triangles joined along all three edges.
@@ -376,8 +281,12 @@ private:
         return "non-manifold edge: " + edge_name(edge.u, edge.v) + " of face " + std::to_string(f) + " has " +
                std::to_string(edge.sides.size()) + " faces";
       });
-    if(m_fan_of == nullptr)
-      find_fans();
+    for(Index h : m_joined.cut_sides)
+      m_findings.add(Finding::CUT_EDGES, [&] {
+        const Index f = m_triangles.face[h / 3];
+        return "beside a non-manifold edge: " + edge_name(corner(h), corner(next(h))) + " of face " +
+               std::to_string(f) + " is cut open";
+      });
     const std::size_t nv = m_points.size();
     std::vector<Index>& vertex = m_triangles.vertex;
     for(Index v = 0; v < nv; ++v)
@@ -386,7 +295,7 @@ private:
     std::vector<Index> vertex_of_fan(m_triangles.corners.size(), null_index);
     for(Index h = 0; h < m_triangles.corners.size(); ++h)
     {
-      Index& name = vertex_of_fan[m_fan_of->find(h)];
+      Index& name = vertex_of_fan[m_joined.fan_of[h]];
       const Index v = corner(h);
       if(name == null_index && !is_used[v])
       {
@@ -425,7 +334,7 @@ private:
   std::vector<Index> m_faces_at; // by side, the number of faces at its edge
   std::vector<Crowded_edge> m_crowded;
   bool m_is_oriented = false;
-  std::unique_ptr<Disjoint_sets> m_fan_of; // by corner
+  Joined_faces m_joined;
 };
 
 } // namespace

@@ -25,7 +25,7 @@ struct Triangles
 /// the last four steps of `repair_soup()`: leaves out triangles, turns them round, splits edges and vertices. Copies of
 /// vertices come behind the vertices of the file. At the border of the table `opposite` is `null_index`.
 ///
-/// Throws `Invalid_input` for what cannot be oriented, and for an edge that cannot be split.
+/// Throws `Invalid_input` for what cannot be oriented.
 CGAL::Surface_mesh_constrictions::internal::Corner_table
 connect_triangles(const std::vector<Point>& points, Triangles& triangles, Mesh_findings& findings);
 

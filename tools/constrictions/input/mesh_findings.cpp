@@ -27,6 +27,7 @@ const Words& words_for(Finding finding)
        {"merged_vertices", "vertex", "vertices", "merged"},
        {"turned_faces", "face", "faces", "turned round"},
        {"split_edges", "edge with more than two faces", "edges with more than two faces", "split"},
+       {"cut_edges", "edge beside such a one", "edges beside such ones", "cut open"},
        {"split_vertices", "vertex", "vertices", "added by splitting"},
        {"holes", "hole", "holes", ""},
        {"border_edges", "edge", "edges", ""},

@@ -21,6 +21,7 @@ enum class Finding
   MERGED_VERTICES,  ///< vertices merged into another one, as that closes the surface, or as the user asked for it
   TURNED_FACES,     ///< triangles turned round
   SPLIT_EDGES,      ///< edges with more than two faces, made several
+  CUT_EDGES,        ///< edges with two faces, cut open beside one of those
   SPLIT_VERTICES,   ///< vertices that were added, so that each has one fan of faces
   HOLES,            ///< closed paths of border edges
   BORDER_EDGES,     ///< edges with one face

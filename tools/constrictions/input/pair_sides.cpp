@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
+#include <utility>
 
 namespace constrictions {
 
@@ -67,6 +68,37 @@ std::vector<Side_pair> matched(const std::vector<Side_at_edge>& sides, bool fort
   return result;
 }
 
+// All ways to pair some sides, those of more pairs first.
+std::vector<std::vector<Side_pair>> all_matchings(const std::vector<Side_at_edge>& sides)
+{
+  std::vector<std::vector<Side_pair>> result = {{}};
+  for(const Side_at_edge& s : sides)
+    if(s.is_forth)
+    {
+      const std::vector<std::vector<Side_pair>> shorter = result;
+      for(const std::vector<Side_pair>& pairs : shorter)
+        for(const Side_at_edge& t : sides)
+          if(!t.is_forth &&
+             std::none_of(pairs.begin(), pairs.end(), [&t](const Side_pair& p) { return p[1] == t.side; }))
+          {
+            result.push_back(pairs);
+            result.back().push_back({{s.side, t.side}});
+          }
+    }
+  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return result;
+}
+
+bool has_pairs_of(const std::vector<Side_pair>& a, const std::vector<Side_pair>& b)
+{
+  return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&b](const Side_pair& p) {
+           return std::any_of(b.begin(), b.end(), [&p](const Side_pair& q) {
+             return (std::min)(p[0], p[1]) == (std::min)(q[0], q[1]) &&
+                    (std::max)(p[0], p[1]) == (std::max)(q[0], q[1]);
+           });
+         });
+}
+
 } // namespace
 
 std::vector<std::vector<Side_pair>> ways_to_pair(const Point& u, const Point& v, const std::vector<Side_at_edge>& sides,
@@ -87,7 +119,21 @@ std::vector<std::vector<Side_pair>> ways_to_pair(const Point& u, const Point& v,
   std::vector<std::vector<Side_pair>> result;
   for(bool forth_closes : {!is_inside_out, is_inside_out})
     result.push_back(matched(in_order(forth_closes), forth_closes));
-  result.emplace_back();
+  const std::size_t few = 6; // of these there are 34 ways at most
+  if(sides.size() > few)
+    for(std::size_t way = 0; way < 2; ++way)
+      for(std::size_t left_out = result[way].size(); left_out-- > 0;)
+      {
+        std::vector<Side_pair> pairs = result[way];
+        pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(left_out));
+        result.push_back(std::move(pairs));
+      }
+  if(sides.size() > few)
+    result.emplace_back();
+  else
+    for(std::vector<Side_pair>& pairs : all_matchings(sides))
+      if(!has_pairs_of(result[0], pairs) && !has_pairs_of(result[1], pairs))
+        result.push_back(std::move(pairs));
   return result;
 }
 

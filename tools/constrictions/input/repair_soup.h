@@ -32,14 +32,15 @@ struct Repaired_soup
 /// 7. triangles are turned round, as few as possible;
 /// 8. edges with more than two faces are made several, and vertices with more than one fan of faces too. Of the ways to
 ///    pair the faces at an edge the one is taken that keeps solids apart: each face is joined to the next one around
-///    the edge, seen from the inside of the body; if two edges with the same ends would be left, across the outside;
-///    and if that does not help the surface is cut open along the edge;
+///    the edge, seen from the inside of the body; if two edges with the same ends would be left, across the outside, or
+///    in other pairs; if that does not help the surface is cut open along the edge, or else along edges beside it;
 /// 9. bodies of two faces with the same corners are left out.
 ///
-/// No vertex is moved. Linear but for sorting, and the square of the number of faces at one edge.
+/// No vertex is moved. Linear but for sorting, the square of the number of faces at one edge, and what `join_faces()`
+/// does where the first pairs do not help.
 ///
-/// Throws `Invalid_input` for a coordinate that is not finite, for a surface that cannot be oriented, if no face is
-/// left, and for an edge with more than two faces that cannot be made several.
+/// Throws `Invalid_input` for a coordinate that is not finite, for a surface that cannot be oriented, and if no face is
+/// left.
 Repaired_soup repair_soup(const Polygon_soup& soup, double merging_distance, Mesh_findings& findings);
 
 } // namespace constrictions

@@ -23,13 +23,21 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
+// Which loops on the borders of parts are closed.
+struct Closed_loops
+{
+  bool along_curves, // those of marked edges only
+      along_holes;   // those that are holes of the mesh, and those that run partly along one
+};
+
 // Closes the parts of a mesh that has been opened along marked edges, all of them together, by caps that cancel: what a
 // cap adds to the volume of one part, caps of others take away.
 //
-// The border of a part is taken apart where it touches itself, into loops that pass each vertex once. Of a loop that runs
-// along the same edges as a loop on their other side both get the same triangles, turned over. Loops that share some
-// edges only, as where curves share a stretch, get cones to one common point, the mean of all of their vertices: a cone
-// over a sum of paths is the sum of the cones over them, and these paths are there once in each direction.
+// The border of a part is taken apart where it touches itself, into loops that pass each vertex once. Of a loop that
+// runs along the same edges as a loop on their other side both get the same triangles, turned over. Loops that share
+// some edges only, as where curves share a stretch, get cones to one common point, the mean of all of their vertices: a
+// cone over a sum of paths is the sum of the cones over them, and these paths are there once in each direction. A hole
+// of the mesh has nothing on its other side, and gets triangles of its own.
 template <class TriangleMesh, class EdgeIsConstrainedMap, class VertexPointMap>
 class Part_closer
 {
@@ -51,8 +59,8 @@ public:
   // Adds the caps to the parts, each of which has all of its faces. Linear in their size, plus the triangulations.
   Part_closer(const TriangleMesh& tm, EdgeIsConstrainedMap marks, VertexPointMap vpm,
               const std::vector<std::vector<typename Graph_traits::face_descriptor>>& faces_of_part,
-              std::vector<Opened>& parts)
-    : m_tm(tm), m_marks(marks), m_vpm(vpm), m_parts(parts)
+              const Closed_loops& closed, std::vector<Opened>& parts)
+    : m_tm(tm), m_marks(marks), m_vpm(vpm), m_closed(closed), m_parts(parts)
   {
     find_loops(faces_of_part);
     for(std::size_t i = 0; i < m_caps.size(); ++i)
@@ -67,7 +75,7 @@ public:
       else if(i < twin)
         close_with_same_triangles(i, twin);
     }
-    close_with_cones(alone);
+    close_alone(alone);
   }
 
   const std::vector<Cap>& caps() const { return m_caps; }
@@ -75,13 +83,23 @@ public:
 private:
   bool is_marked(halfedge_descriptor h) const { return get(m_marks, edge(h, m_tm)); }
 
-  // The halfedge after h along the border of its part; null if that leaves the curves to go on along a hole of the mesh.
+  bool is_on_border(halfedge_descriptor h) const { return is_marked(h) || CGAL::is_border_edge(h, m_tm); }
+
+  // The halfedge after h along the border of its part.
   halfedge_descriptor next_on_border(halfedge_descriptor h) const
   {
     h = next(h, m_tm);
-    while(!CGAL::is_border_edge(h, m_tm) && !is_marked(h))
+    while(!is_on_border(h))
       h = next(opposite(h, m_tm), m_tm);
-    return is_marked(h) ? h : Graph_traits::null_halfedge();
+    return h;
+  }
+
+  // A curve along the whole of a hole cuts nothing off there: that is a hole.
+  bool is_along_curves(const std::vector<halfedge_descriptor>& border) const
+  {
+    return std::all_of(border.begin(), border.end(), [this](halfedge_descriptor h) { return is_marked(h); }) &&
+           std::any_of(border.begin(), border.end(),
+                       [this](halfedge_descriptor h) { return !CGAL::is_border_edge(h, m_tm); });
   }
 
   void find_loops(const std::vector<std::vector<typename Graph_traits::face_descriptor>>& faces_of_part)
@@ -93,13 +111,12 @@ private:
         halfedge_descriptor h = halfedge(f, m_tm);
         for(int i = 0; i < 3; ++i, h = next(h, m_tm))
         {
-          if(!is_marked(h) || CGAL::is_border_edge(h, m_tm) || is_seen.count(h) > 0)
+          if(!is_on_border(h) || is_seen.count(h) > 0)
             continue;
           std::vector<halfedge_descriptor> border;
-          halfedge_descriptor b = h;
-          for(; b != Graph_traits::null_halfedge() && is_seen.insert(b).second; b = next_on_border(b))
+          for(halfedge_descriptor b = h; is_seen.insert(b).second; b = next_on_border(b))
             border.push_back(b);
-          if(b == h) // where a hole of the mesh is part of the loop it stays open
+          if(is_along_curves(border) ? m_closed.along_curves : m_closed.along_holes)
             add_loops(part, border);
         }
       }
@@ -139,10 +156,7 @@ private:
   }
 
   // The vertex of a part at the beginning of a halfedge of its faces.
-  std::size_t corner_at_source(std::size_t part, halfedge_descriptor h)
-  {
-    return m_parts[part].vertex(prev(h, m_tm));
-  }
+  std::size_t corner_at_source(std::size_t part, halfedge_descriptor h) { return m_parts[part].vertex(prev(h, m_tm)); }
 
   // The loop on the other side of a halfedge of loop i; i if that side stays open.
   std::size_t loop_across(halfedge_descriptor h, std::size_t i) const
@@ -151,22 +165,53 @@ private:
     return found == m_loop.end() ? i : found->second;
   }
 
+  static bool passes_each_vertex_once(const std::vector<halfedge_descriptor>& border, const TriangleMesh& tm)
+  {
+    std::unordered_set<vertex_descriptor> passed;
+    return std::all_of(border.begin(), border.end(),
+                       [&](halfedge_descriptor h) { return passed.insert(target(h, tm)).second; });
+  }
+
   // The loop that runs along the same edges on their other side, the number itself if there is none. Loops that pass a
   // vertex twice have none.
   std::size_t twin_of(std::size_t i) const
   {
     const std::vector<halfedge_descriptor>& border = m_caps[i].border;
     const std::size_t twin = loop_across(border.front(), i);
-    std::unordered_set<vertex_descriptor> passed;
-    for(halfedge_descriptor h : border)
-      if(loop_across(h, i) != twin || !passed.insert(target(h, m_tm)).second)
-        return i;
-    return m_caps[twin].border.size() == border.size() ? twin : i;
+    const bool is_common =
+        std::all_of(border.begin(), border.end(), [&](halfedge_descriptor h) { return loop_across(h, i) == twin; });
+    return is_common && m_caps[twin].border.size() == border.size() && passes_each_vertex_once(border, m_tm) ? twin : i;
   }
 
   bool is_around_one_face(halfedge_descriptor h, std::size_t size) const
   {
-    return size == 3 && is_marked(next(h, m_tm)) && is_marked(prev(h, m_tm));
+    return size == 3 && !is_border(h, m_tm) && is_on_border(next(h, m_tm)) && is_on_border(prev(h, m_tm));
+  }
+
+  // The triangles of a cap, by places in its border. None if none are found, and if there is a face already where the
+  // only one would be.
+  Cap_triangles triangles_on(const std::vector<halfedge_descriptor>& border) const
+  {
+    const std::size_t n = border.size();
+    if(is_around_one_face(border[0], n) || is_around_one_face(opposite(border[0], m_tm), n))
+      return {};
+    Cap_polygon polygon;
+    for(halfedge_descriptor h : border)
+      polygon.push_back(nearest_point(get(m_vpm, target(h, m_tm))));
+    // a diagonal that is an edge of a part already would make it no manifold
+    return triangulate_cap(polygon, [&](std::size_t a, std::size_t b) {
+      return halfedge(target(border[a], m_tm), target(border[b], m_tm), m_tm).second;
+    });
+  }
+
+  void close_with_triangles(std::size_t i, const Cap_triangles& triangles)
+  {
+    const std::vector<halfedge_descriptor>& border = m_caps[i].border;
+    Opened& part = m_parts[m_caps[i].part];
+    begin_cap(i);
+    for(const auto& t : triangles)
+      part.add_triangle({{part.vertex(border[t[2]]), part.vertex(border[t[1]]), part.vertex(border[t[0]])}});
+    end_cap(i);
   }
 
   void close_with_same_triangles(std::size_t i, std::size_t twin)
@@ -174,16 +219,7 @@ private:
     const std::vector<halfedge_descriptor>& border = m_caps[i].border;
     const std::size_t n = border.size();
     const auto opposite_of_next = [&](std::size_t k) { return opposite(border[(k + 1) % n], m_tm); };
-    Cap_polygon polygon;
-    for(halfedge_descriptor h : border)
-      polygon.push_back(nearest_point(get(m_vpm, target(h, m_tm))));
-    // a diagonal that is an edge of a part already would make it no manifold, and so would a face upon a face
-    const auto is_forbidden = [&](std::size_t a, std::size_t b) {
-      return halfedge(target(border[a], m_tm), target(border[b], m_tm), m_tm).second;
-    };
-    Cap_triangles triangles;
-    if(!is_around_one_face(border[0], n) && !is_around_one_face(opposite(border[0], m_tm), n))
-      triangles = triangulate_cap(polygon, is_forbidden);
+    const Cap_triangles triangles = triangles_on(border);
     if(triangles.empty())
     {
       const Point apex = mean({i});
@@ -191,11 +227,8 @@ private:
       close_with_cone(twin, apex);
       return;
     }
-    Opened &part = m_parts[m_caps[i].part], &other = m_parts[m_caps[twin].part];
-    begin_cap(i);
-    for(const auto& t : triangles)
-      part.add_triangle({{part.vertex(border[t[2]]), part.vertex(border[t[1]]), part.vertex(border[t[0]])}});
-    end_cap(i);
+    close_with_triangles(i, triangles);
+    Opened& other = m_parts[m_caps[twin].part];
     begin_cap(twin);
     for(const auto& t : triangles)
       other.add_triangle({{other.vertex(opposite_of_next(t[0])), other.vertex(opposite_of_next(t[1])),
@@ -203,8 +236,8 @@ private:
     end_cap(twin);
   }
 
-  // Loops that hang together by shared edges have a common apex.
-  void close_with_cones(const std::vector<std::size_t>& loops)
+  // A hole gets triangles where it can. Loops that hang together by shared edges get cones with a common apex.
+  void close_alone(const std::vector<std::size_t>& loops)
   {
     std::unordered_set<std::size_t> is_seen;
     for(std::size_t first : loops)
@@ -219,10 +252,26 @@ private:
           if(is_seen.insert(neighbour).second)
             group.push_back(neighbour);
         }
+      if(group.size() == 1 && close_as_hole(first))
+        continue;
       const Point apex = mean(group);
       for(std::size_t i : group)
         close_with_cone(i, apex);
     }
+  }
+
+  // Returns whether the loop is a hole and has been closed.
+  bool close_as_hole(std::size_t i)
+  {
+    const std::vector<halfedge_descriptor>& border = m_caps[i].border;
+    const bool is_hole = std::all_of(border.begin(), border.end(),
+                                     [this](halfedge_descriptor h) { return CGAL::is_border_edge(h, m_tm); });
+    if(!is_hole || !passes_each_vertex_once(border, m_tm))
+      return false;
+    const Cap_triangles triangles = triangles_on(border);
+    if(!triangles.empty())
+      close_with_triangles(i, triangles);
+    return !triangles.empty();
   }
 
   Point mean(const std::vector<std::size_t>& loops) const
@@ -255,6 +304,7 @@ private:
   const TriangleMesh& m_tm;
   EdgeIsConstrainedMap m_marks;
   VertexPointMap m_vpm;
+  Closed_loops m_closed;
   std::vector<Opened>& m_parts;
   std::vector<Cap> m_caps;
   std::unordered_map<halfedge_descriptor, std::size_t> m_loop; // of a halfedge on a border

@@ -9,12 +9,14 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -253,7 +255,11 @@ private:
       m_parent.resize(size);
       m_rank.resize(size);
     }
-    boost::disjoint_sets<std::uint8_t*, Index*> parts(m_rank.data(), m_parent.data());
+    // not the pointers themselves: what Boost has for them is found only if it is included before the sets
+    const boost::typed_identity_property_map<Index> itself;
+    const auto rank = boost::make_iterator_property_map(m_rank.data(), itself);
+    const auto parent = boost::make_iterator_property_map(m_parent.data(), itself);
+    boost::disjoint_sets<std::decay_t<decltype(rank)>, std::decay_t<decltype(parent)>> parts(rank, parent);
     const auto number = [&](std::size_t loop) { return offset + static_cast<Index>(loop - below); };
     for(Index f : m_faces_of_slab[level])
       parts.make_set(f);
