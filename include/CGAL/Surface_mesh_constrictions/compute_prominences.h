@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Crossed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Slides.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Closed_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/String_puller.h>
@@ -178,7 +179,7 @@ inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm,
   for(std::size_t i = 0; i < numbers.size(); ++i)
   {
     const Barrier* b = &slides.barrier(numbers[i]);
-    const double prominence = b->length / slides.length(numbers[i]) - 1;
+    const double prominence = prominence_of_barrier(b->length, slides.length(numbers[i]));
     const bool has_end = b->end != Barrier_end::NONE;
     while(b->end == Barrier_end::CURVE && place.count(b->curve) == 0)
       b = &slides.barrier(b->curve);

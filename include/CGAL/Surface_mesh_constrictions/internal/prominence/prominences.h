@@ -45,12 +45,18 @@ struct Prominence
   Index vertex;          // over which the curve slides off, if `end` is POINT
 };
 
+// The height of a barrier relative to the length of its curve, less one; no less than 0 if rounding makes it so.
+inline double prominence_of_barrier(double barrier, double length)
+{
+  return (std::max)(barrier / length - 1, 0.0);
+}
+
 // The prominence of one curve, up to a greatest value.
 inline Prominence prominence(Barrier_search& search, const Measured_curve& curve, double greatest)
 {
   Barrier b = search.search(curve.arcs, curve.trace, curve.separates, (1 + greatest) * curve.length,
                             curve.with_ties);
-  Prominence result = {b.length / curve.length - 1, b.end, {}, 0, std::move(b.strip), b.vertex};
+  Prominence result = {prominence_of_barrier(b.length, curve.length), b.end, {}, 0, std::move(b.strip), b.vertex};
   if(b.end == Barrier_end::CURVE)
   {
     result.arcs = search.tightener().arcs(b.curve);
