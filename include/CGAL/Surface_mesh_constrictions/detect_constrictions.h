@@ -170,8 +170,7 @@ namespace Surface_mesh_constrictions {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Those from `simplification_policies` to `all_constrictions` are functions of
-/// `CGAL::Surface_mesh_constrictions::parameters`: see
+/// Those from `simplification_policies` to `all_constrictions` are the package's own: see
 /// \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
 ///
 /// \return the output iterator, past the last constriction

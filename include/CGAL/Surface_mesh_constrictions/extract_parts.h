@@ -83,14 +83,12 @@ struct Part_cap
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{with_caps}
-///     \cgalParamDescription{whether holes along marked edges are filled; a function of
-///                           `CGAL::Surface_mesh_constrictions::parameters`}
+///     \cgalParamDescription{whether holes along marked edges are filled}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cap_output_iterator}
-///     \cgalParamDescription{takes a `Part_cap` for each cap; a function of
-///                           `CGAL::Surface_mesh_constrictions::parameters`}
+///     \cgalParamDescription{takes a `Part_cap` for each cap}
 ///     \cgalParamType{a model of `OutputIterator`}
 ///     \cgalParamDefault{unset: caps are not looked at for intersections}
 ///   \cgalParamNEnd

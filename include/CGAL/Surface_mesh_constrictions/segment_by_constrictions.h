@@ -72,7 +72,7 @@ namespace Surface_mesh_constrictions {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// The last three are functions of `CGAL::Surface_mesh_constrictions::parameters`.
+/// The last three are the package's own: see \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
 ///
 /// \return the parts, in the order of their first faces; which meet at which curve; and what became of each curve
 /// \throws Invalid_input for a mesh that cannot be used, and for a curve that is no closed sequence of locations

@@ -47,8 +47,7 @@ constexpr std::size_t prominence_vertices = 2048;
 /// \param constrictions as written by `compute_prominences()`, by this function, or by `detect_constrictions()`
 /// \param out the selected ones, the most prominent first, equally prominent ones in their former order.
 ///        `Constriction::dominated_by()` is the place in this sequence of the representative of the one that it was.
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, which are
-///        functions of `CGAL::Surface_mesh_constrictions::parameters`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_prominence}

@@ -143,7 +143,7 @@ auto edge_mark(const NamedParameters& np)
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// The last three are functions of `CGAL::Surface_mesh_constrictions::parameters`.
+/// The last three are the package's own: see \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
 ///
 /// \return for each curve the halfedges along it, and what became of it
 /// \throws Invalid_input for a curve that is no closed sequence of locations on triangles of `tm`, and, with

@@ -95,7 +95,7 @@ inline Tightening_verdict tightening_verdict(const Certificate& certificate, boo
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has
-///                           led it astray; a function of `CGAL::Surface_mesh_constrictions::parameters`}
+///                           led it astray}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
