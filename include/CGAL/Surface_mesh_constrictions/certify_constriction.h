@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Certifier.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/exact_arcs_of_locations.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -62,6 +63,7 @@ template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_
 Certificate certify_constriction(const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
+  internal::check_parameters<internal::Point_parameters, NamedParameters>();
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),

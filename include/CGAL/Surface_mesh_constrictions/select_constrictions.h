@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/composed_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/reordered.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
@@ -31,6 +32,25 @@ constexpr double default_maximum_isoperimetric_ratio = 0.25;
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Number of vertices of the surface on which `detect_constrictions()` measures prominences, of larger meshes.
 constexpr std::size_t prominence_vertices = 2048;
+
+namespace internal {
+
+struct Selection_parameters
+  : Known_parameters<internal_np::minimum_prominence_t, internal_np::maximum_isoperimetric_ratio_t,
+                     internal_np::maximum_number_of_constrictions_t, internal_np::crossing_constrictions_t,
+                     internal_np::rim_constrictions_t, internal_np::all_constrictions_t>
+{};
+
+struct Selection_on_mesh_parameters
+  : Selection_parameters::With<internal_np::vertex_point_t, internal_np::vertex_index_t>
+{};
+
+// What `select_by_prominence()` does with arguments of the right kind.
+template <class ConstrictionRange, class OutputIterator, class NamedParameters>
+OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictions, OutputIterator out,
+                                            const NamedParameters& np);
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// selects constrictions by their prominence, which must be known: those that a person would call necks, each once, the
@@ -97,6 +117,19 @@ template <class ConstrictionRange, class OutputIterator,
 OutputIterator select_by_prominence(const ConstrictionRange& constrictions, OutputIterator out,
                                     const NamedParameters& np = CGAL::parameters::default_values())
 {
+  constexpr bool knows_all = internal::check_parameters<internal::Selection_parameters, NamedParameters>();
+  if constexpr(internal::check_output<OutputIterator, std::decay_t<decltype(*constrictions.begin())>>() && knows_all)
+    return internal::select_by_prominence_checked(constrictions, out, np);
+  else
+    return out;
+}
+
+namespace internal {
+
+template <class ConstrictionRange, class OutputIterator, class NamedParameters>
+OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictions, OutputIterator out,
+                                            const NamedParameters& np)
+{
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   typedef typename std::iterator_traits<decltype(constrictions.begin())>::value_type Result;
@@ -156,6 +189,8 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
   return out;
 }
 
+} // namespace internal
+
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// computes prominences and selects by them: `compute_prominences()` and then `select_by_prominence()`.
 ///
@@ -177,9 +212,15 @@ template <class TriangleMesh, class ConstrictionRange, class OutputIterator,
 OutputIterator select_constrictions(const TriangleMesh& tm, const ConstrictionRange& constrictions, OutputIterator out,
                                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  std::vector<Constriction<TriangleMesh> > all;
-  compute_prominences(tm, constrictions, std::back_inserter(all), np);
-  return select_by_prominence(all, out, np);
+  constexpr bool knows_all = internal::check_parameters<internal::Selection_on_mesh_parameters, NamedParameters>();
+  if constexpr(internal::check_mesh_and_output<TriangleMesh, OutputIterator, Constriction<TriangleMesh>>() && knows_all)
+  {
+    std::vector<Constriction<TriangleMesh>> all;
+    internal::compute_prominences_checked(tm, constrictions, std::back_inserter(all), np);
+    return internal::select_by_prominence_checked(all, out, np);
+  }
+  else
+    return out;
 }
 
 } // namespace Surface_mesh_constrictions

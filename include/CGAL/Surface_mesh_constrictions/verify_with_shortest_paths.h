@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Shortest_path_verification.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/verify/Arc_verifier.h>
 #include <CGAL/Surface_mesh_constrictions/internal/verify/Curve_nodes.h>
 
@@ -31,6 +32,13 @@ inline void add_verdict(const Arc_verdict& verdict, std::size_t location, Shorte
     result.refused_location = location;
   }
 }
+
+} // namespace internal
+
+namespace internal {
+
+struct Verification_parameters : Point_parameters::With<internal_np::maximum_number_t>
+{};
 
 } // namespace internal
 
@@ -113,6 +121,7 @@ Shortest_path_verification verify_with_shortest_paths(
     const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
     const NamedParameters& np = CGAL::parameters::default_values())
 {
+  internal::check_parameters<internal::Verification_parameters, NamedParameters>();
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),

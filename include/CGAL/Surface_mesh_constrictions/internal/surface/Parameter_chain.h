@@ -84,20 +84,21 @@ struct Parameter_chain : Named_function_parameters<T, Tag, Base>
 #undef CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER
 };
 
-// Stops the compiler with a sentence that names the parameter.
-template <class Parameter, bool is_known>
-struct Parameter_is_known
+// Returns `is_known`; unless it is `true` the compiler stops with a sentence that names the parameter.
+template <bool is_known, class Parameter>
+constexpr bool check_is_known(Parameter)
 {
-  static_assert(is_known, "the called function does not know a named parameter that is given to it: "
-                          "see Parameter in 'Parameter_is_known<Parameter, false>'");
-};
+  static_assert(is_known, "the called function does not know a named parameter that is given to it: see 'Parameter'");
+  return is_known;
+}
 
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(tag, name)                                                           \
   template <bool is_known>                                                                                             \
-  struct Parameter_is_known<internal_np::tag, is_known>                                                                \
+  constexpr bool check_is_known(internal_np::tag)                                                                      \
   {                                                                                                                    \
     static_assert(is_known, "the called function does not know the named parameter '" #name "'");                      \
-  };
+    return is_known;                                                                                                   \
+  }
 CGAL_SURFACE_MESH_CONSTRICTIONS_OWN_PARAMETERS(CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER)
 CGAL_SURFACE_MESH_CONSTRICTIONS_TAKEN_PARAMETERS(CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER)
 #undef CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER
