@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Calls that a user may write by mistake. MISUSE is the kind of mistake; each call has types of its own, because a
-// compiler reports the same instantiation once. CMakeLists.txt tells what is said about them.
+// Calls that a user may write by mistake. Each has types of its own, because a compiler reports an instantiation once.
+// CMakeLists.txt tells what is to be said about them.
 
 #include <CGAL/Surface_mesh_constrictions.h>
 
@@ -40,11 +40,12 @@ void call(Mesh& mesh, const Constrictions& curves, Constrictions& result)
   std::vector<std::vector<Mesh::Vertex_index>> loops;
   std::vector<SMC::Tightened_curve<Mesh>> tightened;
 
-#if MISUSE == 1 // a mesh that is to be changed is const
+  // a mesh that is to be changed is const
   SMC::split_along_constrictions(unchanged, curves);
   const CGAL::Surface_mesh<int> triangles;
   SMC::triangulate_with_face_map(mesh, triangles, patches);
-#elif MISUSE == 2 // a container, or an iterator that takes something else
+
+  // a container, or an iterator that takes something else
   SMC::detect_constrictions(mesh, Container<1>());
   SMC::detect_constrictions_near(mesh, location, Container<2>());
   SMC::compute_prominences(mesh, curves, Container<3>());
@@ -54,7 +55,8 @@ void call(Mesh& mesh, const Constrictions& curves, Constrictions& result)
   SMC::extract_parts(mesh, marks, meshes);
   SMC::extract_parts(mesh, marks, std::back_inserter(meshes), params::cap_output_iterator(caps));
   SMC::detect_constrictions(mesh, std::back_inserter(meshes));
-#elif MISUSE == 3 // not a mesh
+
+  // not a mesh
   SMC::detect_constrictions(No_graph<1>(), out);
   SMC::detect_constrictions_near(No_graph<2>(), location, out);
   SMC::compute_prominences(No_graph<3>(), curves, out);
@@ -65,7 +67,8 @@ void call(Mesh& mesh, const Constrictions& curves, Constrictions& result)
   SMC::extract_parts(No_graph<8>(), marks, out);
   SMC::triangulate_with_face_map(No_graph<9>(), mesh, patches);
   SMC::detect_constrictions(mesh.points(), out);
-#elif MISUSE == 4 // named parameters of another function
+
+  // named parameters of another function
   SMC::detect_constrictions(mesh, out, params::maximum_number(1));
   SMC::detect_constrictions_near(mesh, location, out, params::certify(false).seed_sources(0));
   SMC::select_by_prominence(curves, out, params::certify(false));
@@ -79,7 +82,6 @@ void call(Mesh& mesh, const Constrictions& curves, Constrictions& result)
   SMC::certify_constriction(mesh, curves.front(), params::vertex_index_map(0));
   SMC::make_progressive_mesh(mesh, {}, params::number_of_iterations(2));
   SMC::triangulate_with_face_map(mesh, mesh, patches, params::choked_side(0));
-#endif
 }
 
 } // namespace misuse

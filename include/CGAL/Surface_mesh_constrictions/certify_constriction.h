@@ -17,6 +17,15 @@
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 
+namespace internal {
+
+// What `certify_constriction()` does with arguments of the right kind.
+template <class TriangleMesh, class NamedParameters>
+Certificate certify_constriction_checked(const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
+                                         const NamedParameters& np);
+
+} // namespace internal
+
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// decides with exact arithmetic whether a closed curve is a constriction.
 ///
@@ -63,7 +72,18 @@ template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_
 Certificate certify_constriction(const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::check_parameters<internal::Point_parameters, NamedParameters>();
+  if constexpr(internal::check_parameters<internal::Point_parameters, NamedParameters>())
+    return internal::certify_constriction_checked(tm, curve, np);
+  else
+    return internal::no_result<Certificate>();
+}
+
+namespace internal {
+
+template <class TriangleMesh, class NamedParameters>
+Certificate certify_constriction_checked(const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
+                                         const NamedParameters& np)
+{
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
@@ -81,6 +101,8 @@ Certificate certify_constriction(const TriangleMesh& tm, const Constriction<Tria
   result.signs = certifier.prover().statistics();
   return result;
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

@@ -40,6 +40,12 @@ namespace internal {
 struct Verification_parameters : Point_parameters::With<internal_np::maximum_number_t>
 {};
 
+// What `verify_with_shortest_paths()` does with arguments of the right kind.
+template <class Kernel, class TriangleMesh, class NamedParameters>
+Shortest_path_verification verify_with_shortest_paths_checked(const TriangleMesh& tm,
+                                                              const Constriction<TriangleMesh>& curve,
+                                                              const NamedParameters& np);
+
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -121,7 +127,19 @@ Shortest_path_verification verify_with_shortest_paths(
     const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::check_parameters<internal::Verification_parameters, NamedParameters>();
+  if constexpr(internal::check_parameters<internal::Verification_parameters, NamedParameters>())
+    return internal::verify_with_shortest_paths_checked<Kernel>(tm, curve, np);
+  else
+    return internal::no_result<Shortest_path_verification>();
+}
+
+namespace internal {
+
+template <class Kernel, class TriangleMesh, class NamedParameters>
+Shortest_path_verification verify_with_shortest_paths_checked(const TriangleMesh& tm,
+                                                              const Constriction<TriangleMesh>& curve,
+                                                              const NamedParameters& np)
+{
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
@@ -163,6 +181,8 @@ Shortest_path_verification verify_with_shortest_paths(
   }
   return result;
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL
