@@ -20,8 +20,7 @@ typedef SMC::Constriction<Mesh> Constriction;
 typedef std::vector<Constriction> Constrictions;
 
 template <int i>
-struct Container
-  : std::vector<Constriction>
+struct Container : std::vector<Constriction>
 {};
 
 template <int i>

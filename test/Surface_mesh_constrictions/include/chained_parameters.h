@@ -4,9 +4,9 @@
 
 // What is tested with the headers included in each order.
 
-#include <gtest/gtest.h>
+#include <CGAL/version.h>
 
-#include <cstddef>
+#include <gtest/gtest.h>
 
 namespace chained_parameters {
 
@@ -39,6 +39,9 @@ inline void expect_any_order()
   // of a parameter that is given twice the outer one counts
   expect_values(
       certify(true).certify(false).visitor(7).vertex_index_map(11).minimum_prominence(0.5).minimum_prominence(0.125));
+#if CGAL_VERSION_NR >= 1060000000
+  expect_values(vertex_index_map(11).combine(minimum_prominence(0.125), visitor(7), certify(false)));
+#endif
 }
 
 } // namespace chained_parameters

@@ -64,7 +64,8 @@ namespace internal {
 // `.minimum_prominence(0.1)` cannot be chained. CGAL has no hook for that: the members are written by a list inside the
 // class. Another list earlier in the search path, a specialization of the class for CGAL's own tags, or an overload of
 // `vertex_index_map()` would change what CGAL's names mean in some translation units of a program only, which breaks
-// the rule of one definition. Put in front it works: `minimum_prominence(0.1, vertex_index_map(m))`.
+// the rule of one definition. Put in front it works: `minimum_prominence(0.1, vertex_index_map(m))`. So does CGAL 6's
+// `vertex_index_map(m).combine(minimum_prominence(0.1), certify(false))`, which CGAL 5.5 does not have.
 //
 // The base is what CGAL makes of the same parameters, so functions that take `Named_function_parameters<T, Tag, Base>`
 // take this class too. That of several bases that fit the nearest one is deduced is CWG 2303.
