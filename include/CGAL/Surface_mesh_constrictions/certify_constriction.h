@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Certified_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Certifier.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/exact_arcs_of_locations.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -15,6 +16,15 @@
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
+
+namespace internal {
+
+// What `certify_constriction()` does with arguments of the right kind.
+template <class TriangleMesh, class NamedParameters>
+Certificate certify_constriction_checked(const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
+                                         const NamedParameters& np);
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// decides with exact arithmetic whether a closed curve is a constriction.
@@ -62,6 +72,18 @@ template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_
 Certificate certify_constriction(const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
+  if constexpr(internal::check_parameters<internal::Point_parameters, NamedParameters>())
+    return internal::certify_constriction_checked(tm, curve, np);
+  else
+    return internal::no_result<Certificate>();
+}
+
+namespace internal {
+
+template <class TriangleMesh, class NamedParameters>
+Certificate certify_constriction_checked(const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
+                                         const NamedParameters& np)
+{
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
@@ -79,6 +101,8 @@ Certificate certify_constriction(const TriangleMesh& tm, const Constriction<Tria
   result.signs = certifier.prover().statistics();
   return result;
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

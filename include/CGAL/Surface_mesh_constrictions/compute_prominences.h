@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Slides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Closed_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/String_puller.h>
 
@@ -217,6 +218,11 @@ std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<
   return traces;
 }
 
+// What `compute_prominences()` does with arguments of the right kind.
+template <class TriangleMesh, class ConstrictionRange, class OutputIterator, class NamedParameters>
+OutputIterator compute_prominences_checked(const TriangleMesh& tm, const ConstrictionRange& constrictions,
+                                           OutputIterator out, const NamedParameters& np);
+
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -279,6 +285,19 @@ template <class TriangleMesh, class ConstrictionRange, class OutputIterator,
 OutputIterator compute_prominences(const TriangleMesh& tm, const ConstrictionRange& constrictions, OutputIterator out,
                                    const NamedParameters& np = CGAL::parameters::default_values())
 {
+  constexpr bool knows_all = internal::check_parameters<internal::Mesh_parameters, NamedParameters>();
+  if constexpr(internal::check_mesh_and_output<TriangleMesh, OutputIterator, Constriction<TriangleMesh>>() && knows_all)
+    return internal::compute_prominences_checked(tm, constrictions, out, np);
+  else
+    return out;
+}
+
+namespace internal {
+
+template <class TriangleMesh, class ConstrictionRange, class OutputIterator, class NamedParameters>
+OutputIterator compute_prominences_checked(const TriangleMesh& tm, const ConstrictionRange& constrictions,
+                                           OutputIterator out, const NamedParameters& np)
+{
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
@@ -293,6 +312,8 @@ OutputIterator compute_prominences(const TriangleMesh& tm, const ConstrictionRan
   internal::set_prominences(pm, imported, traces, internal::hierarchy(pm, traces), result);
   return std::move(result.begin(), result.end(), out);
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/policies_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
@@ -39,6 +40,26 @@
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
+
+namespace internal {
+
+struct Detection_near_parameters
+  : Selection_on_mesh_parameters::With<internal_np::visitor_t, internal_np::get_cost_policy_t,
+                                       internal_np::get_placement_policy_t, internal_np::simplification_policies_t,
+                                       internal_np::tightening_schedule_t, internal_np::certify_t,
+                                       internal_np::certified_only_t>
+{};
+
+struct Detection_parameters
+  : Detection_near_parameters::With<internal_np::seed_sources_t, internal_np::seed_detection_t,
+                                    internal_np::first_constriction_only_t>
+{};
+
+// What `detect_constrictions()` does with arguments of the right kind.
+template <class ConcurrencyTag, class TriangleMesh, class OutputIterator, class NamedParameters>
+OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterator out, const NamedParameters& np);
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// finds constrictions of a triangle mesh: simple closed curves on it whose length is locally minimal.
@@ -169,8 +190,7 @@ namespace Surface_mesh_constrictions {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Those from `simplification_policies` to `all_constrictions` are functions of
-/// `CGAL::Surface_mesh_constrictions::parameters`: see
+/// Those from `simplification_policies` to `all_constrictions` are the package's own: see
 /// \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
 ///
 /// \return the output iterator, past the last constriction
@@ -188,6 +208,18 @@ template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class Outpu
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
                                     const NamedParameters& np = CGAL::parameters::default_values())
+{
+  constexpr bool knows_all = internal::check_parameters<internal::Detection_parameters, NamedParameters>();
+  if constexpr(internal::check_mesh_and_output<TriangleMesh, OutputIterator, Constriction<TriangleMesh>>() && knows_all)
+    return internal::detect_constrictions_checked<ConcurrencyTag>(tm, out, np);
+  else
+    return out;
+}
+
+namespace internal {
+
+template <class ConcurrencyTag, class TriangleMesh, class OutputIterator, class NamedParameters>
+OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterator out, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -273,13 +305,15 @@ OutputIterator detect_constrictions(const TriangleMesh& tm, OutputIterator out,
     traces.push_back(internal::accurate_trace(pm, internal::arcs_of_curve(network, f.curve)));
   }
   internal::set_prominences(pm, imported, traces, hierarchy.entries(found), constrictions);
-  select_by_prominence(constrictions, std::back_inserter(selected), np);
+  select_by_prominence_checked(constrictions, std::back_inserter(selected), np);
   statistics.not_selected += constrictions.size() - selected.size();
   visitor.on_stage_end(Detection_stage::SELECTION);
 
   visitor.on_end(statistics);
   return std::move(selected.begin(), selected.end(), out);
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

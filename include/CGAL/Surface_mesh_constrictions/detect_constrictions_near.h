@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Query_location.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/reordered.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/seed_sources.h>
@@ -41,6 +42,11 @@ struct Statistics_keeper
   void on_end(const Detection_statistics& s) const { statistics = s; }
 };
 
+// What `detect_constrictions_near()` does with arguments of the right kind.
+template <class ConcurrencyTag, class TriangleMesh, class Point, class OutputIterator, class NamedParameters>
+OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const Point& location, OutputIterator out,
+                                                 const NamedParameters& np);
+
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -66,7 +72,8 @@ struct Statistics_keeper
 ///        `Constriction::crosses()` name are those in this sequence, and prominences are with respect to the
 ///        constrictions that these seeds lead to.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
-///        `detect_constrictions()`, with these differences:
+///        `detect_constrictions()` but for `seed_sources`, `seed_detection` and `first_constriction_only`, with these
+///        differences:
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_prominence}
@@ -79,9 +86,6 @@ struct Statistics_keeper
 ///     \cgalParamDescription{how many constrictions are written at most, the nearest ones}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no limit}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{seed_sources}
-///     \cgalParamDescription{not looked at, like `seed_detection` and `first_constriction_only`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -97,6 +101,19 @@ template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class Point
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& location, OutputIterator out,
                                          const NamedParameters& np = CGAL::parameters::default_values())
+{
+  constexpr bool knows_all = internal::check_parameters<internal::Detection_near_parameters, NamedParameters>();
+  if constexpr(internal::check_mesh_and_output<TriangleMesh, OutputIterator, Constriction<TriangleMesh>>() && knows_all)
+    return internal::detect_constrictions_near_checked<ConcurrencyTag>(tm, location, out, np);
+  else
+    return out;
+}
+
+namespace internal {
+
+template <class ConcurrencyTag, class TriangleMesh, class Point, class OutputIterator, class NamedParameters>
+OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const Point& location, OutputIterator out,
+                                                 const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -117,7 +134,7 @@ OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& lo
   const auto selection = parameters::minimum_prominence(
       minimum_prominence, parameters::maximum_number_of_constrictions(no_limit, kept));
   std::vector<Constriction<TriangleMesh> > found;
-  detect_constrictions<ConcurrencyTag>(
+  detect_constrictions_checked<ConcurrencyTag>(
       tm, std::back_inserter(found),
       parameters::seed_sources(Seed_sources(Local_cut_locus_seeds(nearest), Local_boundary_seeds(nearest)),
                                parameters::first_constriction_only(false, selection)));
@@ -138,6 +155,8 @@ OutputIterator detect_constrictions_near(const TriangleMesh& tm, const Point& lo
   visitor.on_end(statistics);
   return std::copy(result.begin(), result.end(), out);
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

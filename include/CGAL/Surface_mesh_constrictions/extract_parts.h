@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Opened_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Part_closer.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/intersecting_caps.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -43,6 +44,32 @@ struct Part_cap
   /// whether a triangle of the cap meets another triangle of the closed part in more than common vertices and edges
   bool intersects_part;
 };
+
+namespace internal {
+
+struct Extraction_parameters
+  : Point_parameters::With<internal_np::with_caps_t, internal_np::with_filled_holes_t,
+                           internal_np::cap_output_iterator_t>
+{};
+
+template <class TriangleMesh, class NamedParameters>
+constexpr bool check_output_of_caps()
+{
+  typedef internal_np::cap_output_iterator_t Tag;
+  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value)
+    return check_output<std::decay_t<decltype(CGAL::parameters::get_parameter(std::declval<const NamedParameters&>(),
+                                                                              internal_np::cap_output_iterator))>,
+                        Part_cap<TriangleMesh>>();
+  else
+    return true;
+}
+
+// What `extract_parts()` does with arguments of the right kind.
+template <class TriangleMesh, class EdgeIsConstrainedMap, class OutputIterator, class NamedParameters>
+OutputIterator extract_parts_checked(const TriangleMesh& tm, EdgeIsConstrainedMap edge_is_constrained_map,
+                                     OutputIterator out, const NamedParameters& np);
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// makes a mesh of each part into which marked edges divide a mesh, and closes the holes along them: meshes for
@@ -85,20 +112,17 @@ struct Part_cap
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{with_caps}
-///     \cgalParamDescription{whether holes along marked edges are filled; a function of
-///                           `CGAL::Surface_mesh_constrictions::parameters`}
+///     \cgalParamDescription{whether holes along marked edges are filled}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{with_filled_holes}
-///     \cgalParamDescription{whether other holes are filled: those of `tm`, and those that run partly along one; a
-///                           function of `CGAL::Surface_mesh_constrictions::parameters`}
+///     \cgalParamDescription{whether other holes are filled: those of `tm`, and those that run partly along one}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cap_output_iterator}
-///     \cgalParamDescription{takes a `Part_cap` for each cap, those of filled holes included; a function of
-///                           `CGAL::Surface_mesh_constrictions::parameters`}
+///     \cgalParamDescription{takes a `Part_cap` for each cap, those of filled holes included}
 ///     \cgalParamType{a model of `OutputIterator`}
 ///     \cgalParamDefault{unset: caps are not looked at for intersections}
 ///   \cgalParamNEnd
@@ -111,6 +135,21 @@ template <class TriangleMesh, class EdgeIsConstrainedMap, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator extract_parts(const TriangleMesh& tm, EdgeIsConstrainedMap edge_is_constrained_map, OutputIterator out,
                              const NamedParameters& np = CGAL::parameters::default_values())
+{
+  constexpr bool knows_all = internal::check_parameters<internal::Extraction_parameters, NamedParameters>();
+  if constexpr(internal::check_mesh_and_output<TriangleMesh, OutputIterator, TriangleMesh>() && knows_all)
+  {
+    if constexpr(internal::check_output_of_caps<TriangleMesh, NamedParameters>())
+      return internal::extract_parts_checked(tm, edge_is_constrained_map, out, np);
+  }
+  return out;
+}
+
+namespace internal {
+
+template <class TriangleMesh, class EdgeIsConstrainedMap, class OutputIterator, class NamedParameters>
+OutputIterator extract_parts_checked(const TriangleMesh& tm, EdgeIsConstrainedMap edge_is_constrained_map,
+                                     OutputIterator out, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -162,6 +201,8 @@ OutputIterator extract_parts(const TriangleMesh& tm, EdgeIsConstrainedMap edge_i
   }
   return out;
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

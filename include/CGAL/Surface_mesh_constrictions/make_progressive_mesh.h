@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -13,6 +14,15 @@
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
+
+namespace internal {
+
+// What `make_progressive_mesh()` does with arguments of the right kind.
+template <class TriangleMesh, class NamedParameters>
+Progressive_mesh make_progressive_mesh_checked(const TriangleMesh& tm, const std::vector<Edge_collapse>& collapses,
+                                               const NamedParameters& np);
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// builds the progressive mesh of a triangle mesh and of the edge collapses that were made on a copy of it.
@@ -47,6 +57,19 @@ template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_
 Progressive_mesh make_progressive_mesh(const TriangleMesh& tm, const std::vector<Edge_collapse>& collapses,
                                        const NamedParameters& np = CGAL::parameters::default_values())
 {
+  constexpr bool knows_all = internal::check_parameters<internal::Mesh_parameters, NamedParameters>();
+  if constexpr(internal::check_mesh<TriangleMesh>() && knows_all)
+    return internal::make_progressive_mesh_checked(tm, collapses, np);
+  else
+    return internal::no_result<Progressive_mesh>();
+}
+
+namespace internal {
+
+template <class TriangleMesh, class NamedParameters>
+Progressive_mesh make_progressive_mesh_checked(const TriangleMesh& tm, const std::vector<Edge_collapse>& collapses,
+                                               const NamedParameters& np)
+{
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vpm =
@@ -56,6 +79,8 @@ Progressive_mesh make_progressive_mesh(const TriangleMesh& tm, const std::vector
   pm.append_collapses(collapses, [](const Edge_collapse&) { return true; });
   return pm;
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

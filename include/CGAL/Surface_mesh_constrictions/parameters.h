@@ -2,6 +2,8 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETERS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETERS_H
 
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Parameter_chain.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 namespace CGAL {
@@ -26,47 +28,22 @@ enum class Tightening_schedule
 
 } // namespace Surface_mesh_constrictions
 
-namespace internal_np {
-
-enum seed_detection_t { seed_detection };
-enum tightening_schedule_t { tightening_schedule };
-enum seed_sources_t { seed_sources };
-enum simplification_policies_t { simplification_policies };
-enum first_constriction_only_t { first_constriction_only };
-enum certify_t { certify };
-enum certified_only_t { certified_only };
-enum minimum_prominence_t { minimum_prominence };
-enum maximum_isoperimetric_ratio_t { maximum_isoperimetric_ratio };
-enum maximum_number_of_constrictions_t { maximum_number_of_constrictions };
-enum crossing_constrictions_t { crossing_constrictions };
-enum all_constrictions_t { all_constrictions };
-enum rim_constrictions_t { rim_constrictions };
-enum maximum_number_of_parts_t { maximum_number_of_parts };
-enum choked_side_t { choked_side };
-enum with_caps_t { with_caps };
-enum with_filled_holes_t { with_filled_holes };
-enum cap_output_iterator_t { cap_output_iterator };
-
-} // namespace internal_np
-
-// Each of the package's own parameters starts a chain, `seed_detection(x).visitor(v)`, or is put in front of one,
-// `seed_detection(x, CGAL::parameters::visitor(v))`: CGAL's list of names that can be chained is closed.
-#define CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(name)                                                              \
-  template <class T>                                                                                                 \
-  Named_function_parameters<T, internal_np::name##_t> name(const T& value)                                           \
-  {                                                                                                                  \
-    return Named_function_parameters<T, internal_np::name##_t>(value);                                               \
-  }                                                                                                                  \
-  template <class T, class K, class Tag, class Base>                                                                 \
-  Named_function_parameters<T, internal_np::name##_t, Named_function_parameters<K, Tag, Base> > name(                \
-      const T& value, const Named_function_parameters<K, Tag, Base>& np)                                             \
-  {                                                                                                                  \
-    return Named_function_parameters<T, internal_np::name##_t, Named_function_parameters<K, Tag, Base> >(value, np); \
+// Starts a chain, `seed_detection(x).visitor(v)`, or is put in front of one, `seed_detection(x, visitor(v))`.
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(name)                                                                \
+  template <class T>                                                                                                   \
+  Surface_mesh_constrictions::internal::Parameter_chain<T, internal_np::name##_t> name(const T& value)                 \
+  {                                                                                                                    \
+    return {value};                                                                                                    \
+  }                                                                                                                    \
+  template <class T, class K, class Tag, class Base>                                                                   \
+  Surface_mesh_constrictions::internal::Parameter_chain<T, internal_np::name##_t,                                      \
+                                                        Named_function_parameters<K, Tag, Base>>                       \
+  name(const T& value, const Named_function_parameters<K, Tag, Base>& np)                                              \
+  {                                                                                                                    \
+    return {value, np};                                                                                                \
   }
 
-namespace Surface_mesh_constrictions {
-
-/// The named parameters that CGAL does not have.
+/// Named parameters: CGAL's, and those that it does not have.
 namespace parameters {
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
@@ -167,9 +144,14 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(with_filled_holes)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(cap_output_iterator)
 
 } // namespace parameters
-} // namespace Surface_mesh_constrictions
 
 #undef CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER
+
+namespace Surface_mesh_constrictions {
+
+namespace parameters = CGAL::parameters; // the package's parameters are beside CGAL's, under either name
+
+} // namespace Surface_mesh_constrictions
 
 } // namespace CGAL
 

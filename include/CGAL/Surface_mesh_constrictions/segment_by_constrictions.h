@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Part_finder.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/arrange_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -21,6 +22,15 @@
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
+
+namespace internal {
+
+// What `segment_by_constrictions()` does with arguments of the right kind.
+template <class TriangleMesh, class ConstrictionRange, class FacePatchMap, class NamedParameters>
+Surface_parts segment_by_constrictions_checked(const TriangleMesh& tm, const ConstrictionRange& curves,
+                                               FacePatchMap face_patch_map, const NamedParameters& np);
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// tells the parts that a surface falls into when it is cut along closed curves. The mesh is not changed: each face
@@ -72,7 +82,7 @@ namespace Surface_mesh_constrictions {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// The last three are functions of `CGAL::Surface_mesh_constrictions::parameters`.
+/// The last three are the package's own: see \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
 ///
 /// \return the parts, in the order of their first faces; which meet at which curve; and what became of each curve
 /// \throws Invalid_input for a mesh that cannot be used, and for a curve that is no closed sequence of locations
@@ -86,6 +96,19 @@ template <class TriangleMesh, class ConstrictionRange, class FacePatchMap,
 Surface_parts segment_by_constrictions(const TriangleMesh& tm, const ConstrictionRange& curves,
                                        FacePatchMap face_patch_map,
                                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  constexpr bool knows_all = internal::check_parameters<internal::Cutting_parameters, NamedParameters>();
+  if constexpr(internal::check_mesh<TriangleMesh>() && knows_all)
+    return internal::segment_by_constrictions_checked(tm, curves, face_patch_map, np);
+  else
+    return internal::no_result<Surface_parts>();
+}
+
+namespace internal {
+
+template <class TriangleMesh, class ConstrictionRange, class FacePatchMap, class NamedParameters>
+Surface_parts segment_by_constrictions_checked(const TriangleMesh& tm, const ConstrictionRange& curves,
+                                               FacePatchMap face_patch_map, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -123,6 +146,8 @@ Surface_parts segment_by_constrictions(const TriangleMesh& tm, const Constrictio
     result.adjacencies.push_back({std::get<0>(meeting), {{std::get<1>(meeting), std::get<2>(meeting)}}, length * unit});
   return result;
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

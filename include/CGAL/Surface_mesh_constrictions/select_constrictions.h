@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/composed_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/reordered.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -27,6 +29,25 @@ constexpr double default_minimum_prominence = 0.05;
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The isoperimetric ratio that a separating constriction has at most, to be selected by default.
 constexpr double default_maximum_isoperimetric_ratio = 0.25;
+
+namespace internal {
+
+struct Selection_parameters
+  : Known_parameters<internal_np::minimum_prominence_t, internal_np::maximum_isoperimetric_ratio_t,
+                     internal_np::maximum_number_of_constrictions_t, internal_np::crossing_constrictions_t,
+                     internal_np::rim_constrictions_t, internal_np::all_constrictions_t>
+{};
+
+struct Selection_on_mesh_parameters
+  : Selection_parameters::With<internal_np::vertex_point_t, internal_np::vertex_index_t>
+{};
+
+// What `select_by_prominence()` does with arguments of the right kind.
+template <class ConstrictionRange, class OutputIterator, class NamedParameters>
+OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictions, OutputIterator out,
+                                            const NamedParameters& np);
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// selects constrictions by their prominence, which must be known: those that a person would call necks, each once, the
@@ -43,8 +64,7 @@ constexpr double default_maximum_isoperimetric_ratio = 0.25;
 /// \param constrictions as written by `compute_prominences()`, by this function, or by `detect_constrictions()`
 /// \param out the selected ones, the most prominent first, equally prominent ones in their former order.
 ///        `Constriction::dominated_by()` is the place in this sequence of the representative of the one that it was.
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, which are
-///        functions of `CGAL::Surface_mesh_constrictions::parameters`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_prominence}
@@ -93,6 +113,19 @@ template <class ConstrictionRange, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator select_by_prominence(const ConstrictionRange& constrictions, OutputIterator out,
                                     const NamedParameters& np = CGAL::parameters::default_values())
+{
+  constexpr bool knows_all = internal::check_parameters<internal::Selection_parameters, NamedParameters>();
+  if constexpr(internal::check_output<OutputIterator, std::decay_t<decltype(*constrictions.begin())>>() && knows_all)
+    return internal::select_by_prominence_checked(constrictions, out, np);
+  else
+    return out;
+}
+
+namespace internal {
+
+template <class ConstrictionRange, class OutputIterator, class NamedParameters>
+OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictions, OutputIterator out,
+                                            const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -153,6 +186,8 @@ OutputIterator select_by_prominence(const ConstrictionRange& constrictions, Outp
   return out;
 }
 
+} // namespace internal
+
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// computes prominences and selects by them: `compute_prominences()` and then `select_by_prominence()`.
 ///
@@ -174,9 +209,15 @@ template <class TriangleMesh, class ConstrictionRange, class OutputIterator,
 OutputIterator select_constrictions(const TriangleMesh& tm, const ConstrictionRange& constrictions, OutputIterator out,
                                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  std::vector<Constriction<TriangleMesh> > all;
-  compute_prominences(tm, constrictions, std::back_inserter(all), np);
-  return select_by_prominence(all, out, np);
+  constexpr bool knows_all = internal::check_parameters<internal::Selection_on_mesh_parameters, NamedParameters>();
+  if constexpr(internal::check_mesh_and_output<TriangleMesh, OutputIterator, Constriction<TriangleMesh>>() && knows_all)
+  {
+    std::vector<Constriction<TriangleMesh>> all;
+    internal::compute_prominences_checked(tm, constrictions, std::back_inserter(all), np);
+    return internal::select_by_prominence_checked(all, out, np);
+  }
+  else
+    return out;
 }
 
 } // namespace Surface_mesh_constrictions

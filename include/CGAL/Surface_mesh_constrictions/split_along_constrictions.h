@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Curve_splitter.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/arrange_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -71,6 +72,14 @@ auto edge_mark(const NamedParameters& np)
     return Edge_mark<TriangleMesh, std::decay_t<decltype(get_parameter(np, internal_np::edge_is_constrained))>>{
         get_parameter(np, internal_np::edge_is_constrained)};
 }
+
+struct Splitting_parameters : Cutting_parameters::With<internal_np::edge_is_constrained_t, internal_np::visitor_t>
+{};
+
+// What `split_along_constrictions()` does with arguments of the right kind.
+template <class TriangleMesh, class ConstrictionRange, class NamedParameters>
+Split_curves<TriangleMesh> split_along_constrictions_checked(TriangleMesh& tm, const ConstrictionRange& curves,
+                                                             const NamedParameters& np);
 
 } // namespace internal
 
@@ -143,7 +152,7 @@ auto edge_mark(const NamedParameters& np)
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// The last three are functions of `CGAL::Surface_mesh_constrictions::parameters`.
+/// The last three are the package's own: see \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
 ///
 /// \return for each curve the halfedges along it, and what became of it
 /// \throws Invalid_input for a curve that is no closed sequence of locations on triangles of `tm`, and, with
@@ -158,6 +167,19 @@ template <class TriangleMesh, class ConstrictionRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 Split_curves<TriangleMesh> split_along_constrictions(TriangleMesh& tm, const ConstrictionRange& curves,
                                                      const NamedParameters& np = CGAL::parameters::default_values())
+{
+  constexpr bool knows_all = internal::check_parameters<internal::Splitting_parameters, NamedParameters>();
+  if constexpr(internal::check_mutable_mesh<TriangleMesh>() && knows_all)
+    return internal::split_along_constrictions_checked(tm, curves, np);
+  else
+    return internal::no_result<Split_curves<TriangleMesh>>();
+}
+
+namespace internal {
+
+template <class TriangleMesh, class ConstrictionRange, class NamedParameters>
+Split_curves<TriangleMesh> split_along_constrictions_checked(TriangleMesh& tm, const ConstrictionRange& curves,
+                                                             const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -180,6 +202,8 @@ Split_curves<TriangleMesh> split_along_constrictions(TriangleMesh& tm, const Con
     result.halfedges[arranged.arrangement->curve_number(c)] = splitter.halfedges(c);
   return result;
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

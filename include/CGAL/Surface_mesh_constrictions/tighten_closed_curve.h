@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_loop.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
@@ -61,6 +62,14 @@ inline Tightening_verdict tightening_verdict(const Certificate& certificate, boo
   }
 }
 
+struct Tightening_parameters : Mesh_parameters::With<internal_np::certify_t>
+{};
+
+// What `tighten_closed_curves()` does with arguments of the right kind.
+template <class TriangleMesh, class LoopRange, class OutputIterator, class NamedParameters>
+OutputIterator tighten_closed_curves_checked(const TriangleMesh& tm, const LoopRange& loops, OutputIterator out,
+                                             const NamedParameters& np);
+
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -95,7 +104,7 @@ inline Tightening_verdict tightening_verdict(const Certificate& certificate, boo
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has
-///                           led it astray; a function of `CGAL::Surface_mesh_constrictions::parameters`}
+///                           led it astray}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
@@ -110,6 +119,20 @@ template <class TriangleMesh, class LoopRange, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& loops, OutputIterator out,
                                      const NamedParameters& np = CGAL::parameters::default_values())
+{
+  constexpr bool knows_all = internal::check_parameters<internal::Tightening_parameters, NamedParameters>();
+  if constexpr(internal::check_mesh_and_output<TriangleMesh, OutputIterator, Tightened_curve<TriangleMesh>>() &&
+               knows_all)
+    return internal::tighten_closed_curves_checked(tm, loops, out, np);
+  else
+    return out;
+}
+
+namespace internal {
+
+template <class TriangleMesh, class LoopRange, class OutputIterator, class NamedParameters>
+OutputIterator tighten_closed_curves_checked(const TriangleMesh& tm, const LoopRange& loops, OutputIterator out,
+                                             const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -157,6 +180,8 @@ OutputIterator tighten_closed_curves(const TriangleMesh& tm, const LoopRange& lo
   }
   return out;
 }
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// shortens one closed loop of edges until it is a closed geodesic, or found degenerate; see `tighten_closed_curves()`.

@@ -2,6 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_TRIANGULATE_WITH_FACE_MAP_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_TRIANGULATE_WITH_FACE_MAP_H
 
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/nearest_point.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/triangulate_polygon.h>
 
@@ -21,6 +22,21 @@
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
+
+namespace internal {
+
+// Those of copy_face_graph(), but for the one that is used here.
+struct Triangulation_parameters
+  : Point_parameters::With<internal_np::vertex_to_vertex_output_iterator_t, internal_np::vertex_to_vertex_map_t,
+                           internal_np::halfedge_to_halfedge_output_iterator_t, internal_np::halfedge_to_halfedge_map_t>
+{};
+
+// What `triangulate_with_face_map()` does with arguments of the right kind.
+template <class PolygonMesh, class TriangleMesh, class FaceMap, class NamedParameters>
+void triangulate_with_face_map_checked(const PolygonMesh& pm, TriangleMesh& tm, FaceMap polygon_of_triangle,
+                                       const NamedParameters& np);
+
+} // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// copies a polygon mesh and cuts its faces into triangles, as `detect_constrictions()` needs them, and tells which
@@ -58,6 +74,17 @@ template <class PolygonMesh, class TriangleMesh, class FaceMap,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 void triangulate_with_face_map(const PolygonMesh& pm, TriangleMesh& tm, FaceMap polygon_of_triangle,
                                const NamedParameters& np = CGAL::parameters::default_values())
+{
+  constexpr bool knows_all = internal::check_parameters<internal::Triangulation_parameters, NamedParameters>();
+  if constexpr(internal::check_mesh<PolygonMesh>() && internal::check_mutable_mesh<TriangleMesh>() && knows_all)
+    internal::triangulate_with_face_map_checked(pm, tm, polygon_of_triangle, np);
+}
+
+namespace internal {
+
+template <class PolygonMesh, class TriangleMesh, class FaceMap, class NamedParameters>
+void triangulate_with_face_map_checked(const PolygonMesh& pm, TriangleMesh& tm, FaceMap polygon_of_triangle,
+                                       const NamedParameters& np)
 {
   typedef boost::graph_traits<PolygonMesh> Polygon_graph;
   typedef boost::graph_traits<TriangleMesh> Triangle_graph;
@@ -119,6 +146,8 @@ void triangulate_with_face_map(const PolygonMesh& pm, TriangleMesh& tm, FaceMap 
     }
   }
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Shortest_path_verification.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/verify/Arc_verifier.h>
 #include <CGAL/Surface_mesh_constrictions/internal/verify/Curve_nodes.h>
 
@@ -31,6 +32,19 @@ inline void add_verdict(const Arc_verdict& verdict, std::size_t location, Shorte
     result.refused_location = location;
   }
 }
+
+} // namespace internal
+
+namespace internal {
+
+struct Verification_parameters : Point_parameters::With<internal_np::maximum_number_t>
+{};
+
+// What `verify_with_shortest_paths()` does with arguments of the right kind.
+template <class Kernel, class TriangleMesh, class NamedParameters>
+Shortest_path_verification verify_with_shortest_paths_checked(const TriangleMesh& tm,
+                                                              const Constriction<TriangleMesh>& curve,
+                                                              const NamedParameters& np);
 
 } // namespace internal
 
@@ -113,6 +127,19 @@ Shortest_path_verification verify_with_shortest_paths(
     const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
     const NamedParameters& np = CGAL::parameters::default_values())
 {
+  if constexpr(internal::check_parameters<internal::Verification_parameters, NamedParameters>())
+    return internal::verify_with_shortest_paths_checked<Kernel>(tm, curve, np);
+  else
+    return internal::no_result<Shortest_path_verification>();
+}
+
+namespace internal {
+
+template <class Kernel, class TriangleMesh, class NamedParameters>
+Shortest_path_verification verify_with_shortest_paths_checked(const TriangleMesh& tm,
+                                                              const Constriction<TriangleMesh>& curve,
+                                                              const NamedParameters& np)
+{
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
@@ -154,6 +181,8 @@ Shortest_path_verification verify_with_shortest_paths(
   }
   return result;
 }
+
+} // namespace internal
 
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

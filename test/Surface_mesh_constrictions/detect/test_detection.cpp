@@ -342,6 +342,28 @@ TEST(Detection, TheFirstSeedAloneGivesAtMostOneCurve)
   }
 }
 
+TEST(Detection, ChainedParametersMeanWhatNestedOnesMean)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::boxes_with_tube(3));
+  std::vector<Constriction> nested, chained, one;
+  SMC::detect_constrictions(
+      mesh, std::back_inserter(nested),
+      SMC::parameters::all_constrictions(
+          true, SMC::parameters::certify(false, CGAL::parameters::vertex_point_map(mesh.points()))));
+  SMC::detect_constrictions(mesh, std::back_inserter(chained),
+                            CGAL::parameters::all_constrictions(true).vertex_point_map(mesh.points()).certify(false));
+  ASSERT_GT(chained.size(), 1u);
+  ASSERT_EQ(chained.size(), nested.size());
+  for(std::size_t i = 0; i < chained.size(); ++i)
+  {
+    EXPECT_EQ(chained[i].length(), nested[i].length());
+    EXPECT_FALSE(chained[i].certificate().is_certified());
+  }
+  SMC::select_by_prominence(chained, std::back_inserter(one),
+                            CGAL::parameters::all_constrictions(true).maximum_number_of_constrictions(std::size_t(1)));
+  EXPECT_EQ(one.size(), 1u);
+}
+
 // Writes down what it is told.
 struct Listener
 {

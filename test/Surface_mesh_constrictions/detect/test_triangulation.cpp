@@ -18,6 +18,7 @@
 #include <iterator>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_triangulation {
@@ -99,6 +100,20 @@ TEST(Triangulation, tells_the_polygon_of_each_triangle)
   SMC::detect_constrictions(triangles, std::back_inserter(found));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].length(), 20 * std::sin(std::acos(-1.) / 10), 1e-12); // 6.18034
+}
+
+// Named parameters of copy_face_graph() reach it.
+TEST(Triangulation, tells_the_copies_of_vertices)
+{
+  const Mesh polygons = dumbbell();
+  Mesh triangles;
+  auto polygon = triangles.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:polygon").first;
+  std::vector<std::pair<Mesh::Vertex_index, Mesh::Vertex_index>> copies;
+  SMC::triangulate_with_face_map(polygons, triangles, polygon,
+                                 CGAL::parameters::vertex_to_vertex_output_iterator(std::back_inserter(copies)));
+  ASSERT_EQ(copies.size(), polygons.number_of_vertices());
+  for(const auto& [of, copy] : copies)
+    EXPECT_EQ(polygons.point(of), triangles.point(copy));
 }
 
 TEST(Triangulation, triangles_stay_and_types_may_differ)

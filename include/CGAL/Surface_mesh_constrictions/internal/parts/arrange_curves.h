@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Curve_arrangement.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Cut_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Part_finder.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -21,6 +22,11 @@
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
+
+// What says which curves cut.
+struct Cutting_parameters : Mesh_parameters::With<internal_np::minimum_prominence_t, internal_np::choked_side_t,
+                                                  internal_np::maximum_number_of_parts_t>
+{};
 
 // The curves that are to cut, arranged, and what became of each that was given.
 template <class TriangleMesh>
