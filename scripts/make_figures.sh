@@ -39,7 +39,7 @@ figure armadillo armadillo 900x900 "" '#panel=0&theme=light&side=object&parts=0&
 figure cactus cactus 700x700 "" '#panel=0&theme=light&parts=0&width=4'
 figure elephant elephant 800x800 "" '#panel=0&theme=light&parts=0&width=4&view=0.35,0.2,1'
 figure camel_parts camel 800x800 "" '#panel=0&theme=light&side=object&width=3&view=-0.5,0.25,1'
-figure viewer armadillo 1280x800 "" '#theme=light&side=object&select=7'
+figure viewer armadillo 1280x800 "" '#theme=light&side=object&select=6'
 figure playback elephant 640x640 "" \
   '#panel=0&theme=light&view=0.35,0.2,1&frame=6' '#panel=0&theme=light&view=0.35,0.2,1&frame=16' \
   '#panel=0&theme=light&view=0.35,0.2,1&frame=30' '#panel=0&theme=light&view=0.35,0.2,1&frame=1000'

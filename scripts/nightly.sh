@@ -9,12 +9,15 @@
 #   coverage                            which lines of include/ no test executes
 #   mutation-certificate, mutation-tightening, mutation-verification
 #                                       which comparisons can be flipped without a test that notices
-#   configurations                      the presets that .ci/run leaves out: the whole suite with GCC's sanitizers, and
+#   configurations                      what .ci/run leaves out: the whole suite with the sanitizers of both compilers, and
 #                                       the same curves in the debug builds and with Clang and CGAL 6
+#   headers                             every internal header compiles on its own
+#   selection                           the default call selects what is selected of all, on all of CGAL's meshes of up
+#                                       to 60,000 faces; prints the table of the manual
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-[ $# -gt 0 ] || set -- coverage mutation-{certificate,tightening,verification} configurations
+[ $# -gt 0 ] || set -- headers selection coverage mutation-{certificate,tightening,verification} configurations
 mkdir -p build/nightly
 
 run() { # STEP
@@ -25,7 +28,18 @@ run() { # STEP
         scripts/mutation/run.py build/mutation --group "${1#mutation-}" --jobs "$(scripts/number_of_jobs.sh 3200)"
       ;;
     configurations)
-      scripts/test.sh debug:curves clang-debug:curves cgal6-debug:curves clang-cgal6-release:curves sanitizers
+      scripts/test.sh debug:curves clang-debug:curves cgal6-debug:curves clang-cgal6-release:curves sanitizers \
+        clang-cgal6-sanitizers
+      ;;
+    headers)
+      scripts/setup.sh && cmake --preset release -DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_TEST_PROGRAMS=OFF &&
+        cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 2000)" \
+          --target internal_headers_compile_alone
+      ;;
+    selection)
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+        cmake --build --preset release --target selection_of_all &&
+        build/release/test/selection_of_all/selection_of_all --most-faces 60000 data/meshes/*.off
       ;;
     *)
       echo "there is no step $1"

@@ -2,12 +2,14 @@
 
 // The default call against the selection from all constrictions, and what must hold of the hierarchy of all.
 //
-//   selection_of_all MESH...
+//   selection_of_all [--most-faces N] MESH...
 //
-// Prints a row of a table for each mesh, and what is wrong. The exit code is 1 if anything is: for the thresholds 0.05
-// and 0.2 both must select the same curves with the same prominences, but for those of less than 1.2 times the
-// threshold; and the hierarchy of all must be closed. Of lesser thresholds the differences are counted.
+// Prints a row of a table for each mesh of triangles, of no more than N faces if that is given, and what is wrong. The
+// exit code is 1 if anything is: for the thresholds 0.05 and 0.2 both must select the same curves with the same
+// prominences, but for those of less than 1.2 times the threshold; and the hierarchy of all must be closed. For 0.01
+// the differences are counted.
 
+#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
@@ -21,6 +23,7 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -78,7 +81,7 @@ Comparison compare(const Mesh& mesh, const Constrictions& all, double threshold)
 {
   Constrictions by_default, of_all;
   SMC::detect_constrictions(mesh, std::back_inserter(by_default),
-                            params::certify(false, params::minimum_prominence(threshold)));
+                            params::certify(false).minimum_prominence(threshold));
   SMC::select_by_prominence(all, std::back_inserter(of_all), params::minimum_prominence(threshold));
   Comparison result;
   result.by_default = by_default.size();
@@ -133,16 +136,24 @@ std::vector<std::string> faults(const Constrictions& all)
 }
 
 // Prints the row of a mesh, and what is wrong. Returns whether anything is.
-bool check(const std::string& file)
+bool check(const std::string& file, std::size_t most_faces)
 {
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(file, mesh))
+  if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh) || num_faces(mesh) > most_faces)
   {
-    std::cout << "cannot read " << file << '\n';
-    return true;
+    std::cout << "left out: " << file << '\n';
+    return false;
   }
   Constrictions all;
-  SMC::detect_constrictions(mesh, std::back_inserter(all), params::certify(false, params::all_constrictions(true)));
+  try
+  {
+    SMC::detect_constrictions(mesh, std::back_inserter(all), params::certify(false).all_constrictions(true));
+  }
+  catch(const SMC::Invalid_input& e)
+  {
+    std::cout << "refused: " << file << ": " << e.what() << '\n';
+    return false;
+  }
   const std::string name = file.substr(file.rfind('/') + 1);
   std::cout << "| " << name << " | " << num_faces(mesh) << " | " << all.size();
   std::vector<std::string> wrong = faults(all);
@@ -163,11 +174,14 @@ bool check(const std::string& file)
 
 int main(int argc, char* argv[])
 {
-  bool is_wrong = argc < 2;
+  const bool has_limit = argc > 2 && std::string(argv[1]) == "--most-faces";
+  const std::size_t most_faces = has_limit ? std::stoul(argv[2]) : (std::numeric_limits<std::size_t>::max)();
+  const int first = has_limit ? 3 : 1;
+  bool is_wrong = argc <= first;
   try
   {
-    for(int i = 1; i < argc; ++i)
-      is_wrong = check(argv[i]) || is_wrong;
+    for(int i = first; i < argc; ++i)
+      is_wrong = check(argv[i], most_faces) || is_wrong;
   }
   catch(const std::exception& e)
   {

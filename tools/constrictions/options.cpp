@@ -254,6 +254,12 @@ void add_selection_options(CLI::App& command, Selection& selection)
       ->type_name("P")
       ->check(not_negative);
   command
+      .add_option("--min-isolation", selection.minimum_isolation,
+                  "leave out curves that lie beside a more prominent one: the area between the two, divided by length^2, "
+                  "is less than this")
+      ->type_name("I")
+      ->check(not_negative);
+  command
       .add_option("--max-ratio", selection.maximum_ratio,
                   "leave out curves that cut off too little: length^2 / (4 pi area) is greater than this; it is 0.5 for "
                   "the equator of a sphere")
@@ -488,6 +494,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
                                       : Policy::EDGE_LENGTH;
     if(options.search.location && !options.selection.minimum_prominence)
       options.selection.minimum_prominence = 0;
+    if(options.search.location && !options.selection.minimum_isolation)
+      options.selection.minimum_isolation = 0;
     if(!side.empty())
       options.segmentation.side = side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
                                                    : CGAL::Surface_mesh_constrictions::Side::COMPLEMENT;

@@ -34,6 +34,7 @@ enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
 struct Selection
 {
   std::optional<double> minimum_prominence;
+  std::optional<double> minimum_isolation;
   std::optional<double> maximum_ratio;
   std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)();
   bool all = false;

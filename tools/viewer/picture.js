@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // node picture.js PAGE.html OUT.png WIDTHxHEIGHT ADDRESS...
 //
-// Takes a picture of a page, as it is at an address such as '#select=2&theme=dark'; see src/address.js. With panel=0
+// Takes a picture of a page, as it is at an address such as '#select=1&theme=dark'; see src/address.js. With panel=0
 // only what is drawn is in the picture, without the empty space around it. Pictures of several addresses are put side by
 // side.
 import {writeFileSync} from 'node:fs';

@@ -99,6 +99,7 @@ public:
     double boundary_share = 0;                      ///< see `Constriction::boundary_share()`
     Certificate certificate;                        ///< see `Constriction::certificate()`
     double prominence = std::numeric_limits<double>::quiet_NaN(); ///< see `Constriction::prominence()`
+    double isolation = std::numeric_limits<double>::quiet_NaN();  ///< see `Constriction::isolation()`
     std::optional<std::size_t> dominated_by;        ///< see `Constriction::dominated_by()`
     std::optional<vertex_descriptor> slides_off;    ///< see `Constriction::slides_off()`
     std::vector<std::size_t> crosses;               ///< see `Constriction::crosses()`
@@ -164,6 +165,11 @@ public:
   /// how much longer the curve must become, relative to its length, before it can slide to where it is shorter or off
   /// over a point; see `compute_prominences()`. NaN if it has not been computed.
   double prominence() const { return m_data->prominence; }
+
+  /// the area that the curve must sweep at least to become the one that it is `dominated_by()`, divided by the squared
+  /// length of the curve; infinite if it is dominated by none, or by one of another homology class. Of mountains that is
+  /// how far one must go to a higher place. NaN if it has not been computed.
+  double isolation() const { return m_data->isolation; }
 
   /// the constriction that the curve slides to when it is made longer by its prominence, given by its place in the
   /// sequence that this one was written to the output in. It is no longer than this one. None if the curve

@@ -24,6 +24,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -87,7 +88,8 @@ inline Earlier_curves crossed_evenly(const Progressive_mesh& pm, const std::vect
 // Gives constrictions of T^0, of which these are the traces, their places in the hierarchy, and which of the others they
 // cross.
 template <class TriangleMesh>
-void set_prominences(const Progressive_mesh& pm, const Imported_mesh<TriangleMesh>& imported,
+void set_prominences(const Progressive_mesh& pm, const Surface_sides& sides,
+                     const Imported_mesh<TriangleMesh>& imported,
                      const std::vector<std::vector<Trace_point> >& traces, std::vector<Hierarchy_entry> entries,
                      std::vector<Constriction<TriangleMesh> >& constrictions)
 {
@@ -101,10 +103,17 @@ void set_prominences(const Progressive_mesh& pm, const Imported_mesh<TriangleMes
     lengths.push_back(c.length());
   }
   level_endless(lengths, entries);
+  const auto isolation = [&](std::size_t i) {
+    const std::optional<std::size_t> by = entries[i].dominated_by;
+    return !by || data[i].homology_class != data[*by].homology_class
+               ? (std::numeric_limits<double>::infinity)()
+               : sides.area_between(traces[i], traces[*by]) / std::pow(length(pm, traces[i]), 2);
+  };
   std::vector<bool> is_known;
   for(std::size_t i = 0; i < data.size(); ++i)
   {
     data[i].prominence = entries[i].prominence;
+    data[i].isolation = isolation(i);
     data[i].dominated_by = entries[i].dominated_by;
     data[i].slides_off.reset();
     if(entries[i].slides_off != null_index)
@@ -164,10 +173,9 @@ inline std::vector<Arc> arcs_of_trace(const Progressive_mesh& pm, const std::vec
 
 // The hierarchy of simple closed geodesics of T^0 among each other: what is not among them is followed on to what it
 // slides to.
-inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm,
+inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm, const Surface_sides& sides,
                                               const std::vector<std::vector<Trace_point> >& traces)
 {
-  const Surface_sides sides(pm);
   Slides slides(pm, sides);
   std::vector<Index> numbers;
   std::unordered_map<Index, std::size_t> place;
@@ -309,7 +317,8 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
   const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
   std::vector<Constriction<TriangleMesh> > result(constrictions.begin(), constrictions.end());
   const std::vector<std::vector<internal::Trace_point> > traces = internal::traces_of(result, imported, vim, pm);
-  internal::set_prominences(pm, imported, traces, internal::hierarchy(pm, traces), result);
+  const internal::Surface_sides sides(pm);
+  internal::set_prominences(pm, sides, imported, traces, internal::hierarchy(pm, sides, traces), result);
   return std::move(result.begin(), result.end(), out);
 }
 

@@ -156,6 +156,11 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.05}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_isolation}
+///     \cgalParamDescription{the isolation that a selected constriction has at least, see `select_by_prominence()`}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0.15}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_isoperimetric_ratio}
 ///     \cgalParamDescription{the ratio \f$L^2/(4 \pi A)\f$ that a selected constriction has at most, if it separates}
 ///     \cgalParamType{`double`}
@@ -304,7 +309,7 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
     constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width, f.certificate));
     traces.push_back(internal::accurate_trace(pm, internal::arcs_of_curve(network, f.curve)));
   }
-  internal::set_prominences(pm, imported, traces, hierarchy.entries(found), constrictions);
+  internal::set_prominences(pm, sides, imported, traces, hierarchy.entries(found), constrictions);
   select_by_prominence_checked(constrictions, std::back_inserter(selected), np);
   statistics.not_selected += constrictions.size() - selected.size();
   visitor.on_stage_end(Detection_stage::SELECTION);

@@ -82,6 +82,11 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
 ///     \cgalParamDefault{0: around a tube that does not widen there are only constrictions of small prominence, and
 ///                       one of them is what is asked for}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_isolation}
+///     \cgalParamDescription{the isolation that a constriction has at least among those of no less prominence}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_constrictions}
 ///     \cgalParamDescription{how many constrictions are written at most, the nearest ones}
 ///     \cgalParamType{`std::size_t`}
@@ -124,6 +129,7 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
   const std::size_t maximum_number =
       choose_parameter(get_parameter(np, internal_np::maximum_number_of_constrictions), no_limit);
   const double minimum_prominence = choose_parameter(get_parameter(np, internal_np::minimum_prominence), 0.0);
+  const double minimum_isolation = choose_parameter(get_parameter(np, internal_np::minimum_isolation), 0.0);
 
   const internal::Query_location<TriangleMesh, std::decay_t<decltype(vpm)> > query(tm, vpm, location);
   const Index nearest = query.nearest_vertex();
@@ -132,7 +138,8 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
   const Named_function_parameters<Keeper, internal_np::visitor_t, NamedParameters> kept(
       Keeper{visitor, statistics}, np);
   const auto selection = parameters::minimum_prominence(
-      minimum_prominence, parameters::maximum_number_of_constrictions(no_limit, kept));
+      minimum_prominence,
+      parameters::minimum_isolation(minimum_isolation, parameters::maximum_number_of_constrictions(no_limit, kept)));
   std::vector<Constriction<TriangleMesh> > found;
   detect_constrictions_checked<ConcurrencyTag>(
       tm, std::back_inserter(found),

@@ -94,6 +94,11 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certified_only)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_prominence)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// The isolation that a constriction has at least among those selected, see `Constriction::isolation()`. Type: `double`.
+/// Default: 0.15, and 0 near a location. Of the detections and the selections.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_isolation)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// The ratio \f$L^2/(4 \pi A)\f$ that a separating constriction has at most, to be selected. Type: `double`.
 /// Default: 0.25. Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_isoperimetric_ratio)

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/composed_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/remove_beside_others.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/reordered.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
@@ -27,13 +28,19 @@ namespace Surface_mesh_constrictions {
 constexpr double default_minimum_prominence = 0.05;
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
+/// The isolation that a constriction has at least among those selected by default, see `Constriction::isolation()`. Around
+/// a tube two that are nearer to each other than half of its diameter are one place.
+constexpr double default_minimum_isolation = 0.15;
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The isoperimetric ratio that a separating constriction has at most, to be selected by default.
 constexpr double default_maximum_isoperimetric_ratio = 0.25;
 
 namespace internal {
 
 struct Selection_parameters
-  : Known_parameters<internal_np::minimum_prominence_t, internal_np::maximum_isoperimetric_ratio_t,
+  : Known_parameters<internal_np::minimum_prominence_t, internal_np::minimum_isolation_t,
+                     internal_np::maximum_isoperimetric_ratio_t,
                      internal_np::maximum_number_of_constrictions_t, internal_np::crossing_constrictions_t,
                      internal_np::rim_constrictions_t, internal_np::all_constrictions_t>
 {};
@@ -71,6 +78,14 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 ///     \cgalParamDescription{the prominence that a selected constriction has at least}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.05}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_isolation}
+///     \cgalParamDescription{the isolation that a selected constriction has at least, see `Constriction::isolation()`:
+///                           the area that it must sweep to become the next one that is selected and no less
+///                           prominent, along `Constriction::dominated_by()`, relative to its squared length. That
+///                           one stands for those that lie nearer beside it.}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0.15}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_isoperimetric_ratio}
 ///     \cgalParamDescription{the ratio \f$L^2/(4 \pi A)\f$ of length and smaller area that a selected constriction
@@ -133,6 +148,8 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 
   const double minimum_prominence =
       choose_parameter(get_parameter(np, internal_np::minimum_prominence), default_minimum_prominence);
+  const double minimum_isolation =
+      choose_parameter(get_parameter(np, internal_np::minimum_isolation), default_minimum_isolation);
   const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                                 default_maximum_isoperimetric_ratio);
   const std::size_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number_of_constrictions),
@@ -175,12 +192,14 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
   std::vector<std::size_t> selected;
   std::vector<bool> is_selected(given.size(), false);
   for(std::size_t i : order)
-    if(selected.size() < maximum_number &&
-       std::none_of(crossing[i].begin(), crossing[i].end(), [&](std::size_t j) { return is_selected[j]; }))
+    if(std::none_of(crossing[i].begin(), crossing[i].end(), [&](std::size_t j) { return is_selected[j]; }))
     {
       is_selected[i] = true;
       selected.push_back(i);
     }
+  if(!all)
+    internal::remove_beside_others(given, is_selected, minimum_isolation, with_rims, selected);
+  selected.resize((std::min)(selected.size(), maximum_number));
   for(const Result& c : internal::reordered(given, selected, selected.size()))
     *out++ = c;
   return out;

@@ -145,8 +145,8 @@ TEST(CrossingFilter, ACurveThatCrossesManyShorterOnesDoesNotPass)
   const SMC::internal::Surface_sides sides(pm);
   SMC::internal::Crossing_filter filter(pm, sides);
   EXPECT_TRUE(filter.passes(0, trace, {}));
-  EXPECT_TRUE(filter.passes(0, trace, std::vector<Index>(SMC::internal::crossing_limit - 1, 0)));
-  EXPECT_FALSE(filter.passes(0, trace, std::vector<Index>(SMC::internal::crossing_limit, 0)));
+  EXPECT_TRUE(filter.passes(0, trace, std::vector<Index>(23, 0)));
+  EXPECT_FALSE(filter.passes(0, trace, std::vector<Index>(24, 0)));
 }
 
 TEST(CrossingFilter, ACurveThatCrossesSomeFirmOnesDoesNotPass)
@@ -160,10 +160,10 @@ TEST(CrossingFilter, ACurveThatCrossesSomeFirmOnesDoesNotPass)
   for(Index i = 0; i < 8; ++i)
   {
     EXPECT_TRUE(filter.passes(i, trace, {}));
-    filter.keep(i, trace, i < 4 ? 0.3 : 0.29);
+    filter.keep(i, trace, i < 6 ? 0.3 : 0.29);
   }
-  EXPECT_TRUE(filter.passes(8, trace, {0, 1, 2, 4, 5, 6, 7}));
-  EXPECT_FALSE(filter.passes(8, trace, {0, 1, 2, 3}));
+  EXPECT_TRUE(filter.passes(8, trace, {0, 1, 2, 3, 4, 6, 7}));
+  EXPECT_FALSE(filter.passes(8, trace, {0, 1, 2, 3, 4, 5}));
 }
 
 // The path around the tube that goes forth along it and back beside is tightened to the same curve as the one that goes

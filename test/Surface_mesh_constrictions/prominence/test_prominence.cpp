@@ -3,6 +3,8 @@
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Level_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
@@ -114,6 +116,25 @@ TEST(Prominence, OfTheMeridiansOfABumpyTorusFewAreProminent)
 }
 
 // From non-face triangles, which are the same whatever other components there are.
+// Meridians of a torus of twelve squares along the hole.
+TEST(Prominence, TheAreaBetweenTwoCurvesIsThatOfTheShorterWay)
+{
+  const std::size_t along = 12, across = 8;
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(
+      test_meshes::torus(0, 1, static_cast<int>(along), static_cast<int>(across)));
+  const SMC::internal::Surface_sides sides(pm);
+  const auto meridian = [=](std::size_t i) {
+    std::vector<SMC::internal::Trace_point> result;
+    for(std::size_t j = 0; j < across; ++j)
+      result.push_back({static_cast<SMC::Index>(i * across + j), SMC::null_index, 0});
+    return result;
+  };
+  const double whole = sides.part(meridian(0)).areas[0];
+  for(std::size_t i = 0; i < along; ++i)
+    EXPECT_NEAR(sides.area_between(meridian(0), meridian(i)), whole * static_cast<double>((std::min)(i, along - i)) / 12,
+                1e-12 * whole);
+}
+
 TEST(Prominence, CurvesOfOtherComponentsDoNotMatter)
 {
   const test_meshes::Soup a = test_meshes::dumbbell(0.1, 1), b = test_meshes::boxes_with_tube(3);

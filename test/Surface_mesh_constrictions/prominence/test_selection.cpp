@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -70,6 +71,32 @@ TEST(Selection, TheMostProminentComeFirstAndThresholdsAreInclusive)
   EXPECT_EQ(select(given, params::maximum_number_of_constrictions(std::size_t(3))), (Doubles{2, 0.5, 0.3}));
   EXPECT_EQ(select(given, params::maximum_number_of_constrictions(std::size_t(0))), Doubles());
   EXPECT_EQ(select(given, params::all_constrictions(true)), (Doubles{2, 0.5, 0.3, 0.05, 0.049}));
+}
+
+// A constriction of length 1 that is nothing but these figures.
+Constriction beside(std::size_t other, double isolation, double prominence)
+{
+  Constriction::Data data = figures(prominence, 0.1, {other}).data();
+  data.length = 1;
+  data.isolation = isolation;
+  return Constriction(data);
+}
+
+// 1 and 2 lie beside one that is more prominent. 4 is more prominent than the one beside it; what comes next is far.
+TEST(Selection, OfThoseThatLieBesideEachOtherTheMoreProminentIsSelected)
+{
+  const std::vector<Constriction> given = {figures(1), beside(0, 0.1, 0.5), beside(1, 0.1, 0.4), beside(0, 0.2, 0.3),
+                                           beside(1, 0.1, 0.6)};
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{1, 0.6, 0.3}));
+  EXPECT_EQ(select(given, params::minimum_isolation(0.)), (Doubles{1, 0.6, 0.5, 0.4, 0.3}));
+  EXPECT_EQ(select(given, params::minimum_isolation(0.25)), (Doubles{1}));
+  EXPECT_EQ(select(given, params::all_constrictions(true)), (Doubles{1, 0.6, 0.5, 0.4, 0.3}));
+  EXPECT_EQ(select(given, params::maximum_number_of_constrictions(std::size_t(2))), (Doubles{1, 0.6}));
+  std::vector<Constriction> selected;
+  SMC::select_by_prominence(given, std::back_inserter(selected));
+  ASSERT_EQ(selected.size(), 3u);
+  EXPECT_DOUBLE_EQ(selected[1].isolation(), 0.2);
+  EXPECT_EQ(selected[1].dominated_by(), std::optional<std::size_t>(0));
 }
 
 TEST(Selection, TheIsoperimetricRatioCountsForSeparatingCurvesOnly)

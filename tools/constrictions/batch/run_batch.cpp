@@ -75,6 +75,7 @@ nlohmann::ordered_json settings(const Options& options)
                                    {"rims", s.rims},
                                    {"max", nullptr},
                                    {"min-prominence", or_null(s.minimum_prominence)},
+                                   {"min-isolation", or_null(s.minimum_isolation)},
                                    {"max-ratio", or_null(s.maximum_ratio)}};
   if(s.maximum_number != Selection().maximum_number)
     result["max"] = s.maximum_number;

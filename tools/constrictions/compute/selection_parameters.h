@@ -15,13 +15,12 @@ auto with_selection(const Selection& selection, const NamedParameters& np)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
   namespace params = SMC::parameters;
-  return params::minimum_prominence(
-      selection.minimum_prominence.value_or(SMC::default_minimum_prominence),
-      params::maximum_isoperimetric_ratio(
-          selection.maximum_ratio.value_or(SMC::default_maximum_isoperimetric_ratio),
-          params::maximum_number_of_constrictions(selection.maximum_number,
-                                                  params::rim_constrictions(
-                                                      selection.rims, params::all_constrictions(selection.all, np)))));
+  return params::all_constrictions(selection.all, np)
+      .rim_constrictions(selection.rims)
+      .maximum_number_of_constrictions(selection.maximum_number)
+      .maximum_isoperimetric_ratio(selection.maximum_ratio.value_or(SMC::default_maximum_isoperimetric_ratio))
+      .minimum_isolation(selection.minimum_isolation.value_or(SMC::default_minimum_isolation))
+      .minimum_prominence(selection.minimum_prominence.value_or(SMC::default_minimum_prominence));
 }
 
 } // namespace constrictions

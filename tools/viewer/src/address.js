@@ -4,7 +4,7 @@
 //
 // view, up      the direction that the camera looks from, and what is above
 // zoom          2 is twice as near
-// select        the number of a constriction in the list
+// select        the number of a constriction in the list, counted from 0
 // prominence    the least that is shown
 // side          sides, separated by commas: no others are shown
 // frame         a step of the playback, counted from 0

@@ -23,7 +23,7 @@ function row(curve, c, greatest) {
   button.dataset.curve = c;
   const chip = element('span', 'chip');
   chip.style.setProperty('--chip', sides[curve.side].colour);
-  const what = element('span', 'what', `${c + 1} · length ${rounded(curve.length)}`);
+  const what = element('span', 'what', `${c} · length ${rounded(curve.length)}`);
   const prominence = element('span', 'prominence', rounded(curve.prominence));
   prominence.title = 'prominence';
   const bar = element('span', 'bar'), fill = element('i');

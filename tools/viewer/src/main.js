@@ -233,8 +233,8 @@ function follow() {
   theme.apply();
   if (asked.frame !== undefined)
     playback.show(asked.frame);
-  if (curves[asked.select - 1] && isShown(asked.select - 1))
-    select(asked.select - 1);
+  if (curves[asked.select] && isShown(asked.select))
+    select(asked.select);
 }
 
 follow();

@@ -139,7 +139,7 @@ describe('the viewer', () => {
     assert.ok(rows.length >= 3);
     const prominences = await cactus.evaluate(() => window.viewer.data.curves.map(c => c.prominence));
     assert.deepEqual(prominences, [...prominences].sort((a, b) => b - a));
-    assert.match(rows[0], /length 0\.599.*0\.61.*object · strict constriction · separates/);
+    assert.match(rows[0], /^0 · length 0\.599.*0\.61.*object · strict constriction · separates/);
   });
 
   it('flies to the constriction that is clicked in the list, and lights it up', async () => {
@@ -320,7 +320,7 @@ describe('the viewer', () => {
 
   it('obeys its address', async () => {
     write(join(meshes, 'cactus.off'));
-    const tab = await open(join(folder, 'page.html'), '#panel=0&parts=0&theme=dark&select=2&view=1,0,0&up=0,1,0');
+    const tab = await open(join(folder, 'page.html'), '#panel=0&parts=0&theme=dark&select=1&view=1,0,0&up=0,1,0');
     assert.ok(!await tab.locator('#panel').isVisible());
     const s = await state(tab);
     assert.equal(s.theme, 'dark');

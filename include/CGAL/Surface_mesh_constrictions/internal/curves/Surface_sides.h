@@ -65,9 +65,7 @@ public:
   // points and genus g.
   Parting part(const std::vector<Trace_point>& trace) const
   {
-    std::vector<Index> path;
-    for(const Trace_point& p : trace)
-      path.push_back(p.is_pivot() ? p.pivot : m_pm.target(p.halfedge));
+    const std::vector<Index> path = path_on_left(trace);
     double between = 0; // the curve and the path
     for(std::size_t i = 0; i < trace.size(); ++i)
     {
@@ -96,6 +94,19 @@ public:
       left = m_cycles.has_only_ghosts_on_left(path) ? 0 : whole;
     result.areas = {{left, whole - left}};
     return result;
+  }
+
+  // The area that a simple closed curve must sweep at least to become another one of its class. Where they cross, that is
+  // the area of all that lies between them. Both are moved to the next vertices, to the left and to the right, and the
+  // mean is taken. O(k log k) for k points.
+  double area_between(const std::vector<Trace_point>& trace, const std::vector<Trace_point>& other) const
+  {
+    double sum = 0;
+    const std::vector<Trace_point> back = reversed(m_pm, trace), other_back = reversed(m_pm, other);
+    for(const std::vector<Trace_point>* t : {&trace, &back})
+      for(const std::vector<Trace_point>* o : {&other, &other_back})
+        sum += m_cycles.area_between(path_on_left(*t), path_on_left(*o));
+    return sum / 4;
   }
 
   // The genera of the parts on the left and on the right of a geodesic; if it does not separate, both that of its
@@ -131,6 +142,15 @@ public:
   }
 
 private:
+  // The vertices next to a curve on its left.
+  std::vector<Index> path_on_left(const std::vector<Trace_point>& trace) const
+  {
+    std::vector<Index> path;
+    for(const Trace_point& p : trace)
+      path.push_back(p.is_pivot() ? p.pivot : m_pm.target(p.halfedge));
+    return path;
+  }
+
   // Twice the area long.
   Vector3 normal(Index f) const
   {

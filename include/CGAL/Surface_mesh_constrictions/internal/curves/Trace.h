@@ -76,6 +76,15 @@ inline Vector3 position(const Progressive_mesh& pm, const Trace_point& p)
   return position(pm, u) + p.parameter * vector(pm.point(u), pm.point(v));
 }
 
+// Linear.
+inline double length(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
+{
+  double sum = 0;
+  for(std::size_t i = 0; i < trace.size(); ++i)
+    sum += norm(position(pm, trace[(i + 1) % trace.size()]) - position(pm, trace[i]));
+  return sum;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

@@ -16,6 +16,7 @@ namespace CGAL {
   DO(certify_t, certify)                                                                                               \
   DO(certified_only_t, certified_only)                                                                                 \
   DO(minimum_prominence_t, minimum_prominence)                                                                         \
+  DO(minimum_isolation_t, minimum_isolation)                                                                           \
   DO(maximum_isoperimetric_ratio_t, maximum_isoperimetric_ratio)                                                       \
   DO(maximum_number_of_constrictions_t, maximum_number_of_constrictions)                                               \
   DO(crossing_constrictions_t, crossing_constrictions)                                                                 \

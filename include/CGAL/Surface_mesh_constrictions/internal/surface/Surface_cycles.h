@@ -108,6 +108,26 @@ public:
     return sum;
   }
 
+  // Of two closed paths of one component that bound together, modulo 2: the area of what has an odd number of them
+  // between itself and the rest, or of that rest, the lesser of the two. O(k log k) for k edges.
+  double area_between(const std::vector<Index>& path, const std::vector<Index>& other) const
+  {
+    std::vector<Index> bounds; // of the intervals of faces beyond the edges
+    for(const std::vector<Index>* p : {&path, &other})
+      for_each_edge(*p, [&](Index h) {
+        const Index child = child_across(h);
+        if(child == null_index)
+          return;
+        bounds.push_back(m_first[child]);
+        bounds.push_back(m_end[child]);
+      });
+    std::sort(bounds.begin(), bounds.end());
+    double sum = 0;
+    for(std::size_t i = 0; i + 1 < bounds.size(); i += 2)
+      sum += m_area_before[bounds[i + 1]] - m_area_before[bounds[i]];
+    return (std::max)((std::min)(sum, area_of_component(m_pm.face(m_pm.outgoing(path[0]))) - sum), 0.0);
+  }
+
   // The genera of what a simple closed curve that bounds has on its left and on its right. The curve passes no vertex
   // and is given by the halfedges that it crosses, their targets on its left. Linear in their number.
   //
@@ -288,6 +308,9 @@ private:
         m_number_of_vertices[parent] += m_number_of_vertices[f];
       }
     }
+    m_area_before.assign(1, 0);
+    for(Index f : order)
+      m_area_before.push_back(m_area_before.back() + face_area(m_pm, f));
     if(!m_pm.has_boundary())
       return;
     m_ghosts_before.assign(1, 0);
@@ -309,6 +332,7 @@ private:
   std::vector<Index> m_root;               // of the tree that a face belongs to
   std::vector<double> m_area;              // of the subtree of a face
   std::vector<Index> m_number_of_vertices; // that belong to the faces of the subtree of a face
+  std::vector<double> m_area_before;       // by the number of a face
   std::vector<Index> m_ghosts_before;      // by the number of a face; empty if there are none
   std::vector<Index> m_left_over;          // edges neither in the tree of vertices nor crossed by that of faces
 };

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -16,7 +17,7 @@ namespace internal {
 
 // The first `number` elements of a sequence of constrictions in another order. Places of constrictions in the sequence
 // are translated; for one that is left out stands the first one that is not, on the way along dominated_by(), or else
-// the vertex where that ends.
+// the vertex where that ends. The areas swept on that way add up.
 template <class TriangleMesh>
 std::vector<Constriction<TriangleMesh> > reordered(const std::vector<Constriction<TriangleMesh> >& given,
                                                   const std::vector<std::size_t>& order, std::size_t number)
@@ -40,6 +41,7 @@ std::vector<Constriction<TriangleMesh> > reordered(const std::vector<Constrictio
     while(data.dominated_by && !place[*data.dominated_by])
     {
       const Constriction<TriangleMesh>& next = given[*data.dominated_by];
+      data.isolation += next.isolation() * std::pow(next.length() / data.length, 2);
       data.slides_off = next.slides_off();
       data.dominated_by = next.dominated_by();
     }
