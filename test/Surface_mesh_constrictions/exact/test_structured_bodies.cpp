@@ -2,7 +2,9 @@
 // Bodies as people draw them: washers, counterbores and pipes around regular polygons, where ties are exact; and boxes
 // rotated in doubles, where what was flat is bent by rounding, either way.
 #include "include/curve_to_settle.h"
+#include "include/detect.h"
 #include "include/exact_models.h"
+#include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
@@ -363,6 +365,32 @@ TEST(StructuredBodies, ARotatedBoreWithManyRowsHoldsACurve)
       expect_verdict_anew(curve, certificate.verdict);
     }
   }
+}
+
+// Rotated and rounded to single precision the meridians of a washer are twins, which correction moves: of those that are
+// passed by each may then stand for the other.
+TEST(StructuredBodies, AWasherOfWhichTwinsStandForEachOtherHasItsThroat)
+{
+  const double r = 0.5000012138511418, h = 3.614806257030315;
+  Soup soup = lathe(64, {{{r, 0}}, {{r, h / 2}}, {{r, h}}, {{2 * r, h}}, {{2 * r, 0}}});
+  const std::array<Position, 3> axes = {{{{0.10454287898179526, 0.6627097812339403, -0.7415433448633069}},
+                                         {{0.3202172736720537, -0.7283516258765991, -0.6057762018476393}},
+                                         {{-0.9415581150923374, -0.1741254000419744, -0.28835509526274616}}}};
+  const Position by = {{-2.605762706563972, -0.360784119055392, -1.156461141611711}};
+  for(Position& p : soup.points)
+  {
+    Position q = by;
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      for(std::size_t j = 0; j < 3; ++j)
+        q[i] += axes[i][j] * p[j];
+      q[i] = static_cast<float>(q[i]);
+    }
+    p = q;
+  }
+  const auto curves = detection::detect(test_meshes::make_mesh(soup));
+  ASSERT_FALSE(curves.empty());
+  EXPECT_NEAR(curves[0].length(), 128 * r * std::sin(CGAL_PI / 64), 1e-5);
 }
 
 } // namespace test_structured_bodies

@@ -59,7 +59,10 @@ public:
       merge_coinciding(m_network, found);
       m_entries.resize(refined.size());
       if(added.empty())
+      {
+        break_rings(found, added);
         forget_wrong_ends(found);
+      }
       std::vector<Index> asked; // curves of the network
       for(const Found_curve& f : found)
         if(!entry(f.curve))
@@ -123,6 +126,45 @@ private:
       if(!m_network.is_empty(c))
         sum += m_network.curve(c).seeds.size();
     return sum;
+  }
+
+  // Curves passed by may slide to each other: of twins that correction has made one, or has made of another length, each
+  // may stand for the other. Then the first one in a ring is measured again, without ties: it joins `added`. If it was
+  // so measured, it is where the ways along the ring end.
+  void break_rings(const std::vector<Found_curve>& found, std::vector<Found_curve>& added)
+  {
+    const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
+    const auto next = [&](Index c) {
+      const Entry* const e = entry(c);
+      return e == nullptr || e->slides_to == none || place.count(e->slides_to) > 0 ? null_index
+                                                                                   : m_curves.at(e->slides_to);
+    };
+    std::unordered_map<Index, std::size_t> way_of; // the number of the first way that passes a curve
+    std::vector<Index> starts = m_passed;
+    for(const Found_curve& f : found)
+      starts.push_back(next(f.curve));
+    for(std::size_t way = 0; way < starts.size(); ++way)
+    {
+      Index c = starts[way];
+      while(c != null_index && way_of.emplace(c, way).second)
+        c = next(c);
+      if(c == null_index || way_of.at(c) != way)
+        continue;
+      Index first = c;
+      for(Index d = next(c); d != c; d = next(d))
+        if(key(d) < key(first))
+          first = d;
+      if(!m_without_ties.insert(first).second)
+      {
+        for(std::size_t r : m_network.curve(first).seeds)
+          if(r < m_entries.size() && m_entries[r])
+            m_entries[r]->slides_to = none;
+        continue;
+      }
+      forget(first);
+      m_passed.erase(std::remove(m_passed.begin(), m_passed.end(), first), m_passed.end());
+      added.push_back({first, m_network.length(first), 0, Certificate()});
+    }
   }
 
   // What a curve slides to may have been corrected to the curve itself, or to one of the same length that does not stand
