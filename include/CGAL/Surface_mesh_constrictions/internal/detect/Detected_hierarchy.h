@@ -16,10 +16,8 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
-#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

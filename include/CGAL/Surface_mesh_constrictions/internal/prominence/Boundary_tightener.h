@@ -59,16 +59,12 @@ public:
     return settled(c);
   }
 
-  // The number of the closed geodesic that a closed path of edges is tightened to; null_index if it shortens to a point.
-  Index tighten(const std::vector<Index>& path) { return end(m_network.add_curve(0, path)); }
-
   const Progressive_mesh& surface() const { return m_network.surface(); }
   String_puller& puller() { return m_tightener.puller(); }
 
   // The curve of a number.
   std::vector<Arc> arcs(Index c) const { return arcs_of_curve(m_network, c); }
   double length(Index c) const { return m_length[c]; }
-  bool is_simple(Index c) const { return m_is_simple[c]; }
 
   // Tightens a closed curve that is held at a vertex that it passes; no arcs if it shortens to that.
   std::vector<Arc> tighten_held(std::vector<Arc> arcs, Index vertex)

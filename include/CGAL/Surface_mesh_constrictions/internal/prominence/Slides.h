@@ -31,16 +31,6 @@ public:
   // The number of a simple closed geodesic.
   Index enter(const std::vector<Arc>& arcs) { return m_search.tightener().enter(arcs); }
 
-  // The number of the closed geodesic that a closed path of edges is tightened to; null_index if it shortens to a point,
-  // or to a curve that is not simple.
-  Index tighten(const std::vector<Index>& path)
-  {
-    if(path.size() < 3)
-      return null_index;
-    const Index c = m_search.tightener().tighten(path);
-    return c == null_index || !m_search.tightener().is_simple(c) ? null_index : c;
-  }
-
   double length(Index c) { return m_search.tightener().length(c); }
 
   // The barrier around a curve. Cost: that of `Barrier_search::search()`, the first time.
