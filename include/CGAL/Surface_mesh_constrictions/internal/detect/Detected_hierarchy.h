@@ -52,9 +52,10 @@ public:
                     std::vector<Seed_curve>& seeds, const Certify& certify)
   {
     std::vector<Found_curve> added; // not measured yet
-    for(;;)
+    for(std::size_t number_distinct = 0;;)
     {
-      merge_coinciding(m_network, found);
+      merge_coinciding(m_network, found, number_distinct);
+      number_distinct = found.size();
       m_entries.resize(refined.size());
       if(added.empty())
       {

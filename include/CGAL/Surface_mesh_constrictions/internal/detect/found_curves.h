@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -152,31 +153,49 @@ std::size_t drop_too_long(const Curve_network& network, const Surface_sides& sid
   return number - found.size();
 }
 
-// Sorts curves by length and merges those that are the same but for rounding.
-inline void merge_coinciding(Curve_network& network, std::vector<Found_curve>& found)
+// Sorts curves by length and merges those that are the same but for rounding. The first `number_distinct` of them are
+// known to be distinct. Cost: that of sorting, plus for each pair that may coincide that of `coincide()`.
+inline void merge_coinciding(Curve_network& network, std::vector<Found_curve>& found, std::size_t number_distinct)
 {
-  const Progressive_mesh& pm = network.surface();
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Found_curve& a, const Found_curve& b) { return a.length < b.length; });
-  const auto trace_of = [&](const Found_curve& f) { return trace(pm, arcs_of_curve(network, f.curve)); };
-  std::vector<Found_curve> kept;
-  for(const Found_curve& f : found)
+  struct Candidate
   {
-    bool is_new = true;
-    for(auto it = kept.rbegin(); is_new && it != kept.rend(); ++it)
+    Found_curve found;
+    bool is_new;
+    std::optional<Curve_shape> shape;
+  };
+  const Progressive_mesh& pm = network.surface();
+  const auto shape_of = [&](Candidate& c) -> const Curve_shape& {
+    if(!c.shape)
+      c.shape.emplace(pm, trace(pm, arcs_of_curve(network, c.found.curve)));
+    return *c.shape;
+  };
+  std::vector<Candidate> candidates;
+  for(std::size_t i = 0; i < found.size(); ++i)
+    candidates.push_back({found[i], i >= number_distinct, std::nullopt});
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.found.length < b.found.length; });
+  std::vector<std::size_t> kept;
+  for(std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    Candidate& c = candidates[i];
+    bool is_distinct = true;
+    for(auto k = kept.rbegin(); is_distinct && k != kept.rend(); ++k)
     {
-      if(it->length < f.length * (1 - coincidence_tolerance))
+      Candidate& shorter = candidates[*k];
+      if(shorter.found.length < c.found.length * (1 - coincidence_tolerance))
         break;
-      if(coincide(pm, trace_of(f), trace_of(*it), f.length) && coincide(pm, trace_of(*it), trace_of(f), f.length))
+      if((c.is_new || shorter.is_new) && coincide(shape_of(c), shape_of(shorter), c.found.length))
       {
-        network.merge(f.curve, it->curve);
-        is_new = false;
+        network.merge(c.found.curve, shorter.found.curve);
+        is_distinct = false;
       }
     }
-    if(is_new)
-      kept.push_back(f);
+    if(is_distinct)
+      kept.push_back(i);
   }
-  found.swap(kept);
+  found.clear();
+  for(std::size_t i : kept)
+    found.push_back(candidates[i].found);
 }
 
 // Of a group of curves: their certificates, what they are corrected to, and how many were corrected.
