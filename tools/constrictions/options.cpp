@@ -202,7 +202,7 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
       ->type_name("DIR")
       ->required()
       ->check(not_empty);
-  command.add_option("--parts", options.segmentation.parts, "cut into N parts at most, along the most prominent curves")
+  command.add_option("--parts", options.segmentation.parts, "cut into N parts at most, along the first curves of the table")
       ->type_name("N")
       ->check(CLI::Range(std::size_t(1), (std::numeric_limits<std::size_t>::max)()).description(""));
   command
@@ -244,7 +244,7 @@ void add_selection_options(CLI::App& command, Selection& selection)
   command.add_flag("--all", selection.all, "report every distinct closed geodesic found, no selection");
   command.add_flag("--rims", selection.rims,
                    "report also curves that run along the boundary of a hole for most of their length");
-  command.add_option("--max", selection.maximum_number, "report the N most prominent at most, or the N nearest")
+  command.add_option("--max", selection.maximum_number, "report N at most, those with the greatest product of prominence and roundness, or the nearest")
       ->type_name("N")
       ->check(not_negative);
   command

@@ -94,6 +94,7 @@ public:
     std::array<double, 2> areas = {0, 0};           ///< see `Constriction::areas()`
     std::array<std::size_t, 2> genera = {0, 0};     ///< see `Constriction::genera()`
     double isoperimetric_ratio = 0;                 ///< see `Constriction::isoperimetric_ratio()`
+    double roundness = 0;                           ///< see `Constriction::roundness()`
     Side side = Side::MIXED;                        ///< see `Constriction::side()`
     bool rim = false;                               ///< see `Constriction::is_rim()`
     double boundary_share = 0;                      ///< see `Constriction::boundary_share()`
@@ -104,6 +105,7 @@ public:
     std::optional<vertex_descriptor> slides_off;    ///< see `Constriction::slides_off()`
     std::vector<std::size_t> crosses;               ///< see `Constriction::crosses()`
     std::vector<std::size_t> crosses_oddly;         ///< see `Constriction::crosses_oddly()`
+    std::vector<std::size_t> rivals;                ///< see `Constriction::rivals()`
   };
 
   /// an empty curve
@@ -147,6 +149,11 @@ public:
   /// length^2 / (4 pi A), with A the smaller of the two areas; infinite if there is nothing on one side but a hole
   double isoperimetric_ratio() const { return m_data->isoperimetric_ratio; }
 
+  /// how much it is like a circle: 4 pi A / length^2, with A the area of the largest of its shadows on a plane, which
+  /// is the length of its area vector. 1 for a circle, pi / 4 for a square; less for one that lies aslant, around an
+  /// arm and a shoulder, and is bent in space.
+  double roundness() const { return m_data->roundness; }
+
   /// what it chokes: what at least three quarters of the turning of the curve say
   Side side() const { return m_data->side; }
 
@@ -189,6 +196,12 @@ public:
   /// the shorter constrictions that the curve crosses an odd number of times, as an equator of a torus crosses a
   /// meridian, given by their places as above. Those of negligible prominence are left out, and neither separates.
   const std::vector<std::size_t>& crosses_oddly() const { return m_data->crosses_oddly; }
+
+  /// the constrictions that it crosses there and back, and of which it would be arbitrary to prefer one: neither is
+  /// more than 1.2 times as prominent as the other, and each must sweep an area of at least 0.15 length^2 to become
+  /// the other. Of a body with a plane of symmetry a curve that lies aslant and its mirror image are such; see
+  /// `compute_prominences()`.
+  const std::vector<std::size_t>& rivals() const { return m_data->rivals; }
 
   /// all of the above
   const Data& data() const { return *m_data; }

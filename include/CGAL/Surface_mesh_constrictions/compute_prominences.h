@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Crossed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Slides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/rivals.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Closed_strip.h>
@@ -103,18 +104,19 @@ void set_prominences(const Progressive_mesh& pm, const Surface_sides& sides,
     lengths.push_back(c.length());
   }
   level_endless(lengths, entries);
-  const auto isolation = [&](std::size_t i) {
-    const std::optional<std::size_t> by = entries[i].dominated_by;
-    return !by || data[i].homology_class != data[*by].homology_class
+  // the area that a curve must sweep to become another one, relative to its squared length
+  const auto isolation_from = [&](std::size_t i, std::size_t j) {
+    return data[i].homology_class != data[j].homology_class
                ? (std::numeric_limits<double>::infinity)()
-               : sides.area_between(traces[i], traces[*by]) / std::pow(length(pm, traces[i]), 2);
+               : sides.area_between(traces[i], traces[j]) / std::pow(length(pm, traces[i]), 2);
   };
   std::vector<bool> is_known;
   for(std::size_t i = 0; i < data.size(); ++i)
   {
     data[i].prominence = entries[i].prominence;
-    data[i].isolation = isolation(i);
     data[i].dominated_by = entries[i].dominated_by;
+    data[i].isolation = data[i].dominated_by ? isolation_from(i, *data[i].dominated_by)
+                                             : (std::numeric_limits<double>::infinity)();
     data[i].slides_off.reset();
     if(entries[i].slides_off != null_index)
       data[i].slides_off = imported.vertex(entries[i].slides_off);
@@ -126,6 +128,7 @@ void set_prominences(const Progressive_mesh& pm, const Surface_sides& sides,
   {
     data[i].crosses.assign(crossed[i].begin(), crossed[i].end());
     data[i].crosses_oddly.clear();
+    data[i].rivals.clear();
     if(!data[i].separating && is_known[i])
     {
       not_separating.push_back(i);
@@ -143,6 +146,13 @@ void set_prominences(const Progressive_mesh& pm, const Surface_sides& sides,
          std::find(d.crosses.begin(), d.crosses.end(), not_separating[j]) == d.crosses.end())
         d.crosses.push_back(not_separating[j]);
   }
+  for(std::size_t i = 0; i < data.size(); ++i)
+    for(std::size_t j : data[i].crosses)
+      if(are_alike(data[i].prominence, data[j].prominence) && isolation_from(i, j) >= area_of_one_place)
+      {
+        data[i].rivals.push_back(j);
+        data[j].rivals.push_back(i);
+      }
   for(std::size_t i = 0; i < data.size(); ++i)
     constrictions[i] = Constriction<TriangleMesh>(std::move(data[i]));
 }
@@ -266,7 +276,8 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
 /// \param tm a triangle mesh, closed or with boundary
 /// \param constrictions constrictions of `tm`, as computed on it with the same points
 /// \param out the same constrictions in the same order, with `Constriction::prominence()`,
-///        `Constriction::dominated_by()`, `Constriction::crosses()` and `Constriction::crosses_oddly()`
+///        `Constriction::dominated_by()`, `Constriction::crosses()`, `Constriction::crosses_oddly()` and
+///        `Constriction::rivals()`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \cgalNamedParamsBegin

@@ -73,8 +73,7 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 /// The boundary of a mesh is an obstacle: curves may touch it, and run along it. See "Surfaces with Boundary" in the
 /// user manual.
 ///
-/// The same input gives the same output. `tm` is not changed. Of meshes with more than 2,048 vertices prominences are
-/// measured on the surface with 2,048, but for curves that are not found there.
+/// The same input gives the same output. `tm` is not changed.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.
@@ -84,7 +83,7 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///
 /// \param tm a triangle mesh, closed or with boundary, any genus, any number of connected components. Faces of area
 ///        zero and isolated vertices are allowed, edges of length zero are not.
-/// \param out the selected constrictions, the most prominent first
+/// \param out the selected constrictions, those that rank highest first: see `select_by_prominence()`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -167,12 +166,13 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///     \cgalParamDefault{0.25}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_constrictions}
-///     \cgalParamDescription{how many constrictions are selected at most}
+///     \cgalParamDescription{how many constrictions are selected at most, those that rank highest}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{crossing_constrictions}
-///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected}
+///     \cgalParamDescription{whether to select also constrictions that cross others that are selected, or that could
+///                           be as well: see `select_by_prominence()`}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

@@ -104,13 +104,13 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_isolation)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_isoperimetric_ratio)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
-/// How many constrictions are selected at most, the most prominent ones; near a location the nearest ones.
+/// How many constrictions are selected at most, those that rank highest; near a location the nearest ones.
 /// Type: `std::size_t`. Default: no limit. Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_constrictions)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
-/// Whether to select also constrictions that cross a more prominent one, there and back, or are composed of shorter
-/// ones. Type: `bool`. Default: `false`. Of the detections and the selections.
+/// Whether to select also constrictions that cross a more prominent one, there and back, have a rival, or are composed of
+/// shorter ones. Type: `bool`. Default: `false`. Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(crossing_constrictions)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters

@@ -75,8 +75,8 @@ Surface_parts segment_by_constrictions_checked(const TriangleMesh& tm, const Con
 ///     \cgalParamDefault{unset: all curves cut}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_parts}
-///     \cgalParamDescription{how many parts there are at most; if all curves give more, only as many cut, the most
-///                           prominent first, as are needed for that many parts}
+///     \cgalParamDescription{how many parts there are at most; if all curves give more, only as many cut, those
+///                           that rank highest first, as are needed for that many parts}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{unset: all curves cut}
 ///   \cgalParamNEnd

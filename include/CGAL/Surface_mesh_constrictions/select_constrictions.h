@@ -6,7 +6,9 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/composed_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/ranks_before.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/remove_beside_others.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/rivals.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/reordered.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
@@ -57,8 +59,9 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// selects constrictions by their prominence, which must be known: those that a person would call necks, each once, the
-/// most prominent first.
+/// selects constrictions by their prominence, which must be known: those that a person would call necks, each once. They
+/// are ranked by prominence times roundness, see `Constriction::roundness()`: of what is held alike that comes first which
+/// goes straight around one limb.
 ///
 /// A constriction whose prominence is too small can slide, getting hardly longer, to where it is shorter; it is
 /// represented by the first selected one on the way along `Constriction::dominated_by()`. So all thresholds can be
@@ -69,7 +72,7 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param constrictions as written by `compute_prominences()`, by this function, or by `detect_constrictions()`
-/// \param out the selected ones, the most prominent first, equally prominent ones in their former order.
+/// \param out the selected ones, those that rank highest first, those of the same rank in their former order.
 ///        `Constriction::dominated_by()` is the place in this sequence of the representative of the one that it was.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -95,13 +98,14 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 ///     \cgalParamDefault{0.25}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_constrictions}
-///     \cgalParamDescription{how many constrictions are selected at most}
+///     \cgalParamDescription{how many constrictions are selected at most, those that rank highest}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{crossing_constrictions}
 ///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected,
-///                           there and back: see `Constriction::crosses()`; those that cross four shorter ones of
+///                           there and back: see `Constriction::crosses()`; those that have a rival that could be
+///                           selected instead: see `Constriction::rivals()`; those that cross four shorter ones of
 ///                           a prominence of 0.3 or more, or sixteen of any; and those that are composed of shorter
 ///                           ones: modulo 2 their homology class is the sum of the classes of shorter ones, one of
 ///                           which they cross}
@@ -180,25 +184,26 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
     leave_out();
   }
 
-  // the more prominent first, without those that cross one of them
-  std::vector<std::vector<std::size_t> > crossing(given.size());
+  std::vector<std::size_t> selected = order;
   if(!all && !with_crossing)
+  {
+    std::vector<std::vector<std::size_t> > crossing(given.size());
     for(std::size_t i = 0; i < given.size(); ++i)
       for(std::size_t j : given[i].crosses())
       {
         crossing[i].push_back(j);
         crossing[j].push_back(i);
       }
-  std::vector<std::size_t> selected;
+    selected = internal::without_crossing_ones(given, order, crossing);
+  }
   std::vector<bool> is_selected(given.size(), false);
-  for(std::size_t i : order)
-    if(std::none_of(crossing[i].begin(), crossing[i].end(), [&](std::size_t j) { return is_selected[j]; }))
-    {
-      is_selected[i] = true;
-      selected.push_back(i);
-    }
+  for(std::size_t i : selected)
+    is_selected[i] = true;
   if(!all)
     internal::remove_beside_others(given, is_selected, minimum_isolation, with_rims, selected);
+  std::stable_sort(selected.begin(), selected.end(), [&given](std::size_t i, std::size_t j) {
+    return internal::ranks_before(given[i], given[j]);
+  });
   selected.resize((std::min)(selected.size(), maximum_number));
   for(const Result& c : internal::reordered(given, selected, selected.size()))
     *out++ = c;
@@ -217,7 +222,7 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 ///
 /// \param tm a triangle mesh, closed or with boundary
 /// \param constrictions constrictions of `tm`, as computed on it with the same points
-/// \param out the selected ones, the most prominent first
+/// \param out the selected ones, those that rank highest first
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of the two functions
 ///
 /// \return the output iterator, past the last element that was written

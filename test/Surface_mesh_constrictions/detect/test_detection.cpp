@@ -52,7 +52,8 @@ std::vector<Constriction> detect(const Mesh& mesh, Seed_detection detection = Se
   {
     geodesic_check::expect_closed_geodesic(mesh, result[i]);
     seeds += result[i].seeds().size();
-    EXPECT_TRUE(i == 0 || result[i - 1].prominence() >= result[i].prominence());
+    EXPECT_TRUE(i == 0 || result[i - 1].prominence() * result[i - 1].roundness() >=
+                              result[i].prominence() * result[i].roundness());
   }
   EXPECT_EQ(seeds, s.merged + result.size());
   return result;

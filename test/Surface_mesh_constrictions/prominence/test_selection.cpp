@@ -117,6 +117,75 @@ TEST(Selection, OfTwoThatCrossTheMoreProminentIsSelected)
   EXPECT_EQ(select(given, params::all_constrictions(true)), (Doubles{1, 0.9, 0.8, 0.7}));
 }
 
+// A constriction that is nothing but these figures.
+Constriction rival(double prominence, std::vector<std::size_t> rivals, std::vector<std::size_t> crosses)
+{
+  Constriction::Data data = figures(prominence, 0.1, {}, crosses).data();
+  data.rivals = rivals;
+  return Constriction(data);
+}
+
+TEST(Selection, OfTwoRivalsNeitherIsSelected)
+{
+  // 0 and 1; 2 crosses 1 alone
+  const std::vector<Constriction> given = {rival(1, {1}, {}), rival(0.9, {0}, {0}), rival(0.5, {}, {1})};
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{0.5}));
+  EXPECT_EQ(select(given, params::crossing_constrictions(true)), (Doubles{1, 0.9, 0.5}));
+  EXPECT_EQ(select(given, params::minimum_prominence(0.95)), (Doubles{1})); // the other one is not there
+}
+
+TEST(Selection, ARivalThatCrossesASelectedOneDoesNotCount)
+{
+  // 2 crosses 0, which is selected
+  const std::vector<Constriction> given = {rival(1, {}, {}), rival(0.5, {2}, {}), rival(0.45, {1}, {0, 1})};
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{1, 0.5}));
+}
+
+TEST(Selection, RoundOnesComeBeforeThoseThatLieAslant)
+{
+  std::vector<Constriction> given;
+  for(const double roundness : {0.5, 0.9, 0.9})
+  {
+    Constriction::Data data = figures(given.empty() ? 1 : 0.6).data();
+    data.length = static_cast<double>(given.size());
+    data.roundness = roundness;
+    given.push_back(Constriction(data));
+  }
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{0.6, 0.6, 1}));
+  EXPECT_EQ(select(given, params::maximum_number_of_constrictions(std::size_t(1))), (Doubles{0.6}));
+  std::vector<Constriction> selected;
+  SMC::select_by_prominence(given, std::back_inserter(selected));
+  ASSERT_EQ(selected.size(), 3u);
+  EXPECT_EQ(selected[0].length(), 1); // those of the same rank in their former order
+}
+
+// A sash from a shoulder to under the other arm and its mirror image are as firm, and there is nothing to prefer one.
+TEST(Selection, OfABearThatIsEvenlyBuiltItIsEven)
+{
+  const Mesh mesh = read("bear.off");
+  std::vector<Constriction> selected, with_crossing;
+  SMC::detect_constrictions(mesh, std::back_inserter(selected), params::certify(false));
+  SMC::detect_constrictions(mesh, std::back_inserter(with_crossing),
+                            params::certify(false).crossing_constrictions(true).minimum_isolation(0.));
+  ASSERT_EQ(selected.size(), 8u); // neck, chest, arms, legs, ears
+  EXPECT_EQ(with_crossing.size(), 10u);
+  std::size_t with_rivals = 0;
+  for(const Constriction& c : with_crossing)
+    with_rivals += !c.rivals().empty();
+  EXPECT_EQ(with_rivals, 2u);
+  Doubles lengths;
+  for(const Constriction& c : selected)
+  {
+    EXPECT_TRUE(c.rivals().empty());
+    EXPECT_GT(c.roundness(), 0.8);
+    EXPECT_LE(c.roundness(), 1);
+    lengths.push_back(c.length());
+  }
+  std::sort(lengths.begin(), lengths.end());
+  for(std::size_t i = 0; i < 6; i += 2) // ears, arms, legs: one and its mirror image
+    EXPECT_NEAR(lengths[i], lengths[i + 1], 0.05 * lengths[i]);
+}
+
 // A meridian, an equator, and curves that wind around a torus both ways, once and twice around the meridian.
 TEST(Selection, WhatWindsAroundATorusBothWaysIsComposed)
 {

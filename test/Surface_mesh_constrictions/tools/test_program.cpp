@@ -38,7 +38,7 @@ TEST_F(Program, detect_prints_a_table)
   const Result r = run("detect dumbbell.off");
   EXPECT_EQ(r.exit_code, 0);
   EXPECT_EQ(r.err, ""); // no progress bar where no terminal is
-  for(const char* word : {"id", "length", "prominence", "points", "pivots", "separating", "side", "certificate",
+  for(const char* word : {"id", "length", "prominence", "roundness", "pivots", "separating", "side", "certificate",
                           "seed level", "object", "not strict"})
     EXPECT_NE(r.out.find(word), std::string::npos) << word;
   EXPECT_NE(r.out.find("1 constriction from"), std::string::npos) << r.out;
@@ -121,8 +121,8 @@ TEST_F(Program, detect_prints_json_only)
   ASSERT_EQ(j["constrictions"].size(), 1u);
   const auto& c = j["constrictions"][0];
   EXPECT_EQ(keys(c), (Keys{"id", "length", "points", "locations", "pivots", "certificate", "side", "separating",
-                           "areas", "genera", "isoperimetric_ratio", "isolation", "prominence", "dominated_by",
-                           "slides_off", "rim", "boundary_share", "seed"}));
+                           "areas", "genera", "isoperimetric_ratio", "roundness", "isolation", "prominence",
+                           "dominated_by", "slides_off", "rim", "boundary_share", "seed"}));
   EXPECT_EQ(c["id"], 0);
   EXPECT_DOUBLE_EQ(c["length"], 4);
   EXPECT_EQ(c["points"].size(), c["locations"].size());
@@ -131,6 +131,7 @@ TEST_F(Program, detect_prints_json_only)
   EXPECT_EQ(c["separating"], true);
   EXPECT_DOUBLE_EQ(c["areas"][0].get<double>() + c["areas"][1].get<double>(), 114);
   EXPECT_EQ(c["genera"], (std::vector<int>{0, 0}));
+  EXPECT_NEAR(c["roundness"].get<double>(), std::atan(1.), 1e-12); // a square
   EXPECT_GT(c["prominence"].get<double>(), 1);
   EXPECT_TRUE(c["dominated_by"].is_null());
   EXPECT_EQ(keys(c["seed"]), (Keys{"level", "vertices", "origin"}));

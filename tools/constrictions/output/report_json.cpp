@@ -138,6 +138,7 @@ Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mes
           {"areas", c.areas()},
           {"genera", c.genera()},
           {"isoperimetric_ratio", c.isoperimetric_ratio()}, // null if it is infinite
+          {"roundness", c.roundness()},
           {"isolation", c.isolation()}, // null if it is infinite
           {"prominence", c.prominence()}, // null if it is not a number
           {"dominated_by", c.dominated_by() ? Json(*c.dominated_by()) : Json()},

@@ -35,14 +35,17 @@ std::string open_certificates(const Report& report)
   return out.str();
 }
 
+std::string rounded(double x)
+{
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(3) << x;
+  return out.str();
+}
+
 // Loops that were tightened have none.
 std::string prominence(const Constriction& c)
 {
-  if(std::isnan(c.prominence()))
-    return "-";
-  std::ostringstream out;
-  out << std::fixed << std::setprecision(3) << c.prominence();
-  return out.str();
+  return std::isnan(c.prominence()) ? "-" : rounded(c.prominence());
 }
 
 } // namespace
@@ -53,13 +56,13 @@ std::string report_as_table(const Report& report)
 
   std::ostringstream out;
   if(!report.constrictions.empty())
-    out << setw(5) << "id" << setw(14) << "length" << setw(12) << "prominence" << setw(8) << "points" << setw(8)
+    out << setw(5) << "id" << setw(14) << "length" << setw(12) << "prominence" << setw(11) << "roundness" << setw(8)
         << "pivots" << setw(12) << "separating" << setw(12) << "side" << setw(12) << "certificate" << setw(12)
         << "seed level" << '\n';
   for(std::size_t id = 0; id < report.constrictions.size(); ++id)
   {
     const Constriction& c = report.constrictions[id];
-    out << setw(5) << id << setw(14) << c.length() << setw(12) << prominence(c) << setw(8) << c.locations().size()
+    out << setw(5) << id << setw(14) << c.length() << setw(12) << prominence(c) << setw(11) << rounded(c.roundness())
         << setw(8) << c.pivots().size() << setw(12) << (c.is_rim()          ? "rim"
                                                            : c.is_separating() ? "yes"
                                                                                : "no")

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -60,7 +61,7 @@ public:
       if(added.empty())
       {
         break_rings(found, added);
-        forget_wrong_ends(found);
+        mend_wrong_ends(found);
       }
       std::vector<Index> asked; // curves of the network
       for(const Found_curve& f : found)
@@ -167,20 +168,62 @@ private:
   }
 
   // What a curve slides to may have been corrected to the curve itself, or to one of the same length that does not stand
-  // for it. Then it is measured again, once, without ties.
-  void forget_wrong_ends(const std::vector<Found_curve>& found)
+  // for it. Of two curves of the same length either slides to the other over the same barrier, so that of all that hang
+  // together so the first one takes the others. If it has no other end than one of them, or if there are none, it is
+  // measured again, once, without ties.
+  void mend_wrong_ends(const std::vector<Found_curve>& found)
   {
     const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
     const std::vector<std::size_t> rank = ranks(found);
+    std::vector<std::size_t> order(found.size());
+    std::vector<bool> is_wrong(found.size(), false);
+    std::vector<std::vector<std::pair<std::size_t, double> > > ties(found.size()); // to which ones, over which barrier
     for(std::size_t i = 0; i < found.size(); ++i)
     {
+      order[rank[i]] = i;
       const Entry* const e = entry(found[i].curve);
       if(e == nullptr || e->slides_to == none)
         continue;
-      const auto to = place.find(destination(*e, place));
-      const bool is_wrong = to == place.end() ? e->is_tie : rank[to->second] >= rank[i];
-      if(is_wrong && m_without_ties.insert(found[i].curve).second)
-        forget(found[i].curve);
+      const auto at = place.find(destination(*e, place));
+      const std::size_t to = at == place.end() ? none : at->second;
+      is_wrong[i] = to == none ? e->is_tie : rank[to] >= rank[i];
+      if(e->is_tie && to != none && to != i &&
+         std::abs(found[i].length - found[to].length) <= equal_length_tolerance * found[i].length)
+      {
+        ties[i].emplace_back(to, e->prominence);
+        ties[to].emplace_back(i, e->prominence);
+      }
+    }
+    std::vector<bool> is_taken(found.size(), false);
+    for(std::size_t first : order)
+    {
+      if(is_taken[first])
+        continue;
+      if(is_wrong[first] && m_without_ties.insert(found[first].curve).second)
+        forget(found[first].curve);
+      is_taken[first] = true;
+      std::vector<std::pair<std::size_t, double> > stack(1, {first, 0}); // and the height of the way to the first
+      while(!stack.empty())
+      {
+        const std::pair<std::size_t, double> from = stack.back();
+        stack.pop_back();
+        for(const std::pair<std::size_t, double>& tie : ties[from.first])
+        {
+          if(is_taken[tie.first])
+            continue;
+          is_taken[tie.first] = true;
+          stack.emplace_back(tie.first, (std::max)(from.second, tie.second));
+          if(!is_wrong[tie.first])
+            continue;
+          Entry e;
+          e.prominence = stack.back().second;
+          e.has_end = true;
+          e.is_tie = true;
+          e.slides_to = m_network.curve(found[first].curve).seeds.front();
+          forget(found[tie.first].curve);
+          m_entries[m_network.curve(found[tie.first].curve).seeds.front()] = e;
+        }
+      }
     }
   }
 

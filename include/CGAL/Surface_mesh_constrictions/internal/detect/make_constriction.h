@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/boundary_share.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/roundness.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 
@@ -75,6 +76,7 @@ public:
     data.areas = {{parting.areas[0] * unit * unit, parting.areas[1] * unit * unit}};
     data.genera = m_sides.genera(points, parting.is_separating());
     data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting.areas);
+    data.roundness = roundness(m_pm, points);
     data.side = m_sides.choked_side(points);
     data.boundary_share = boundary_share(m_pm, arcs, parting);
     data.rim = data.boundary_share > rim_share;

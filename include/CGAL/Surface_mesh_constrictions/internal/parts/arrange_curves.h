@@ -7,13 +7,13 @@
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Curve_arrangement.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Cut_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Part_finder.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/ranks_before.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -36,20 +36,17 @@ struct Arranged_curves
   std::vector<Cut_outcome> outcomes;
 };
 
-// The curves that the named parameters choose, the most prominent first, equally prominent ones in their order.
+// The curves that the named parameters choose, in the order of their ranks, those of the same rank in their order.
 template <class TriangleMesh, class NamedParameters>
 std::vector<std::size_t> cutting_order(const std::vector<Constriction<TriangleMesh>>& curves, const NamedParameters& np)
 {
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;
-  const auto prominence = [&curves](std::size_t i) {
-    return std::isnan(curves[i].prominence()) ? -1 : curves[i].prominence();
-  };
   std::vector<std::size_t> order;
   for(std::size_t i = 0; i < curves.size(); ++i)
   {
     if constexpr(!is_default_parameter<NamedParameters, internal_np::minimum_prominence_t>::value)
-      if(!(prominence(i) >= get_parameter(np, internal_np::minimum_prominence)))
+      if(!(curves[i].prominence() >= get_parameter(np, internal_np::minimum_prominence)))
         continue;
     if constexpr(!is_default_parameter<NamedParameters, internal_np::choked_side_t>::value)
       if(curves[i].side() != get_parameter(np, internal_np::choked_side))
@@ -57,7 +54,7 @@ std::vector<std::size_t> cutting_order(const std::vector<Constriction<TriangleMe
     order.push_back(i);
   }
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return prominence(i) > prominence(j); });
+                   [&](std::size_t i, std::size_t j) { return ranks_before(curves[i], curves[j]); });
   return order;
 }
 

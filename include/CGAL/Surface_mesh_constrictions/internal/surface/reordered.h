@@ -49,6 +49,7 @@ std::vector<Constriction<TriangleMesh> > reordered(const std::vector<Constrictio
       data.dominated_by = place[*data.dominated_by];
     translate(data.crosses);
     translate(data.crosses_oddly);
+    translate(data.rivals);
     result.push_back(Constriction<TriangleMesh>(std::move(data)));
   }
   return result;
