@@ -12,12 +12,14 @@
 #   configurations                      what .ci/run leaves out: the whole suite with the sanitizers of both compilers, and
 #                                       the same curves in the debug builds and with Clang and CGAL 6
 #   headers                             every internal header compiles on its own
+#   meshes                              all of CGAL's meshes but a point cloud are answered, each curve certified; prints
+#                                       the tables of the manual
 #   selection                           the default call selects what is selected of all, on all of CGAL's meshes of up
 #                                       to 60,000 faces; prints the table of the manual
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-[ $# -gt 0 ] || set -- headers selection coverage mutation-{certificate,tightening,verification} configurations
+[ $# -gt 0 ] || set -- headers meshes selection coverage mutation-{certificate,tightening,verification} configurations
 mkdir -p build/nightly
 
 run() { # STEP
@@ -35,6 +37,12 @@ run() { # STEP
       scripts/setup.sh && cmake --preset release -DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_TEST_PROGRAMS=OFF &&
         cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 2000)" \
           --target internal_headers_compile_alone
+      ;;
+    meshes)
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+        cmake --build --preset release --target constrictions &&
+        scripts/check_meshes.py build/release/tools/constrictions/constrictions data/meshes --time-limit 3600 \
+          --least 142
       ;;
     selection)
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&

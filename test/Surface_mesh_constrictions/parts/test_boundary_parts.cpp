@@ -20,7 +20,10 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
+#include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace test_boundary_parts {
@@ -292,6 +295,69 @@ TEST(Boundary_parts, HolesThatTouchAreFilledEach)
   EXPECT_EQ(closed[0].number_of_faces(), nf);
   EXPECT_EQ(closed[0].number_of_vertices(), nv);
   EXPECT_NEAR(PMP::volume(closed[0]), volume, 1e-12);
+}
+
+// Holes that touch in many places, several of them at a vertex, and some in two vertices: no two caps have an edge in
+// common, which would make a part no manifold.
+TEST(Boundary_parts, HolesThatTouchInManyPlacesAreFilledEach)
+{
+  const Soup torus = test_meshes::torus(0.05, 1, 14, 7), body = test_meshes::dumbbell(0.05, 1, 12, 6);
+  std::size_t doubled = 0, touching_twice = 0;
+  for(unsigned seed = 0; seed < 60; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Mesh mesh = test_meshes::make_mesh(seed % 2 == 0 ? torus : body);
+    std::mt19937 random(seed);
+    const unsigned most = 5 + 10 * (seed % 5);
+    std::vector<Mesh::Face_index> taken;
+    for(Mesh::Face_index f : mesh.faces())
+      if(random() % 100 < most)
+        taken.push_back(f);
+    for(Mesh::Face_index f : taken)
+      CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+    mesh.collect_garbage();
+    std::map<Mesh::Vertex_index, std::size_t> holes_at;
+    std::map<std::pair<Mesh::Halfedge_index, Mesh::Halfedge_index>, std::size_t> common;
+    std::map<Mesh::Halfedge_index, Mesh::Halfedge_index> hole_of;
+    for(Mesh::Halfedge_index h : mesh.halfedges())
+      if(mesh.is_border(h))
+      {
+        ++holes_at[mesh.target(h)];
+        const auto around = mesh.halfedges_around_face(h);
+        hole_of[h] = *std::min_element(around.begin(), around.end());
+      }
+    for(const auto& [h, hole] : hole_of)
+      for(const auto& [other, other_hole] : hole_of)
+        if(mesh.target(h) == mesh.target(other) && hole < other_hole)
+          touching_twice += ++common[{hole, other_hole}] == 2;
+    for(const auto& at : holes_at)
+      doubled += at.second > 1;
+
+    std::vector<SMC::Part_cap<Mesh>> caps;
+    const std::vector<Mesh> closed = parts_without_curves(mesh, true, &caps);
+    std::size_t faces = 0;
+    for(const Mesh& part : closed)
+    {
+      EXPECT_TRUE(CGAL::is_closed(part));
+      EXPECT_TRUE(part.is_valid(false));
+      faces += part.number_of_faces();
+    }
+    std::size_t triangles = 0;
+    std::set<Mesh::Halfedge_index> capped;
+    for(const SMC::Part_cap<Mesh>& c : caps)
+    {
+      triangles += c.border.size() - 2;
+      for(Mesh::Halfedge_index h : c.border)
+        EXPECT_TRUE(capped.insert(h).second);
+    }
+    EXPECT_EQ(capped.size(), hole_of.size());
+    // a cone has two triangles more than the triangulation of its polygon
+    EXPECT_GE(faces, mesh.number_of_faces() + triangles);
+    EXPECT_LE(faces, mesh.number_of_faces() + triangles + 2 * caps.size());
+    EXPECT_EQ((faces - mesh.number_of_faces() - triangles) % 2, 0u);
+  }
+  EXPECT_GT(doubled, 500u);
+  EXPECT_GT(touching_twice, 20u);
 }
 
 // A triangle alone cannot be closed by a triangle.

@@ -356,6 +356,7 @@ TEST_F(Mesh_file, ply_headers_that_cannot_be_used)
   expect_error("vertex_indices", "triangles", "vertex_indices");
   expect_error("list uchar int vertex_indices", "int vertex_indices", "vertex_indices");
   expect_error("element face", "element faces", "point cloud");
+  expect_error("element face", "element trifans", "\"trifans\"");
   expect_error("element face 8", "element face many", "\"many\"");
   expect_error("format ascii 1.0\n", "", "format");
   expect_error("format ascii", "format morse", "\"morse\"");

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <map>
+#include <random>
 #include <set>
 #include <sstream>
 #include <string>
@@ -313,6 +315,74 @@ TEST_F(Program_repair, batch_groups_failures)
   EXPECT_NE(r.out.find("2   a point cloud\n"), std::string::npos) << r.out;
   EXPECT_NE(r.out.find("1   invalid vertex index\n"), std::string::npos) << r.out;
   EXPECT_NE(content("out/results.jsonl").find("\"repairs\":{\"triangulated\":42}"), std::string::npos);
+}
+
+// Does one of the things to a soup that happen to meshes.
+void damage(Polygons& soup, std::mt19937& random)
+{
+  const auto below = [&random](std::size_t n) { return random() % n; };
+  const auto replace = [&soup](std::size_t from, std::size_t to) {
+    for(Face& f : soup.faces)
+      std::replace(f.begin(), f.end(), from, to);
+  };
+  const std::size_t f = below(soup.faces.size());
+  switch(below(6))
+  {
+  case 0:
+    soup.faces.erase(soup.faces.begin() + static_cast<std::ptrdiff_t>(f));
+    break;
+  case 1:
+    soup.faces.push_back(Face(soup.faces[f]));
+    break;
+  case 2:
+    std::reverse(soup.faces[f].begin(), soup.faces[f].end());
+    break;
+  case 3:
+    replace(below(soup.points.size()), below(soup.points.size()));
+    break;
+  case 4: // two edges become one
+  {
+    const Face g = soup.faces[f], h = soup.faces[below(soup.faces.size())];
+    replace(g[0], h[1]);
+    replace(g[1], h[0]);
+  }
+  break;
+  default:
+    soup.points[below(soup.points.size())] = soup.points[below(soup.points.size())];
+  }
+}
+
+TEST_F(Program_repair, what_is_found_on_random_soups_is_proved_again)
+{
+  std::mt19937 random(26);
+  std::size_t curves = 0, repaired = 0, read_again = 0;
+  for(int s = 0; s < 30; ++s)
+  {
+    SCOPED_TRACE(s);
+    Polygons soup = s % 2 == 0 ? dumbbell() : triangulated(dumbbell());
+    for(int deeds = 1 + s % 6; deeds > 0; --deeds)
+      damage(soup, random);
+    write("soup.obj", as_obj(soup));
+    const Result found = run("detect soup.obj --all --quiet --json curves.json");
+    ASSERT_EQ(found.exit_code, 0) << found.err;
+    const Json json = Json::parse(content("curves.json"));
+    curves += json["constrictions"].size();
+    repaired += !json["mesh"]["repairs"].empty();
+    const Result proved = run("certify soup.obj --curves curves.json");
+    EXPECT_EQ(proved.exit_code, 0) << proved.out << proved.err;
+    const Result checked = run("check soup.obj --json report.json -o repaired.off");
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    EXPECT_EQ(Json::parse(content("report.json"))["mesh"]["repairs"], json["mesh"]["repairs"]);
+    // Nothing is left to be repaired, unless edges were cut open: their two sides lie on each other in the file.
+    if(json["mesh"]["repairs"].contains("cut_edges"))
+      continue;
+    ASSERT_EQ(run("detect repaired.off --strict --quiet --no-certify --json again.json").exit_code, 0);
+    EXPECT_EQ(Json::parse(content("again.json"))["mesh"]["triangles"], json["mesh"]["triangles"]);
+    ++read_again;
+  }
+  EXPECT_GT(curves, 30u);
+  EXPECT_GT(repaired, 25u);
+  EXPECT_GT(read_again, 20u);
 }
 
 } // namespace test_program_repair

@@ -97,7 +97,7 @@ std::string counts(const Soup& soup)
 }
 
 std::string binary_off(const Soup& soup, bool big_endian, int more_numbers = 0, bool has_colours = true,
-                       const std::string& keyword = "OFF BINARY\n")
+                       const std::string& keyword = "OFF BINARY\n", bool has_colour_counts = true)
 {
   std::string result = keyword;
   for(std::size_t n : {soup.points.size(), soup.triangles.size(), std::size_t(0)})
@@ -114,6 +114,8 @@ std::string binary_off(const Soup& soup, bool big_endian, int more_numbers = 0, 
     result += bytes(std::int32_t(3), big_endian);
     for(std::uint32_t v : soup.triangles[f])
       result += bytes(v, big_endian);
+    if(!has_colour_counts)
+      continue;
     const std::int32_t colours = has_colours ? static_cast<std::int32_t>(f % 4) : 0;
     result += bytes(colours, big_endian);
     for(std::int32_t i = 0; i < colours; ++i)
@@ -187,6 +189,9 @@ Files off_files()
   add("cnoff", "CNOFF" + head + with_tails(points, " 0 0 1 1 1 1 1") + faces);
   add("stoff", "STOFF" + head + with_tails(points, " 0.5 0.5") + faces);
   add("stcnoff", "STCNOFF" + head + with_tails(points, " 0 0 1 1 1 1 1 0 0") + faces);
+  add("ncoff", "NCOFF" + head + with_tails(points, " 0 0 1 1 1 1 1") + faces);
+  add("nstoff_in_words", all_replaced("NSTOFF" + head + with_tails(points, " 0 0 1 0 0") + faces, " ", "\n"));
+  add("comments_behind_numbers", "OFF#shape" + head + with_tails(points, "#vertex") + with_tails(faces, "#face"));
   add("4off", "4OFF" + head + with_tails(points, " 1") + faces);
   add("4off_scaled", "4OFF" + head + "2 0 0 2\n0 -1 0 -1\n0 0 3 2\n-4 0 0 4\n0 -1 0 1\n0 0 -0.5 2\n" + faces);
   add("noff_of_three", "nOFF 3" + head + points + faces);
@@ -194,6 +199,8 @@ Files off_files()
   add("binary", binary_off(soup, true));
   add("binary_little", binary_off(soup, false));
   add("binary_no_colours", binary_off(soup, true, 0, false));
+  add("binary_lower", binary_off(soup, true, 0, true, "off binary\n"));
+  add("binary_nothing_of_colours", binary_off(soup, true, 0, false, "OFF BINARY\n", false));
   add("binary_noff", binary_off(soup, true, 3, true, "NOFF BINARY\n"));
   add("binary_coff", binary_off(soup, true, 4, true, "COFF BINARY\n"));
   add("binary_crlf", binary_off(soup, true, 0, true, "OFF BINARY\r\n"));
@@ -244,6 +251,7 @@ Files obj_files()
   add("two_blanks", all_replaced(text, " ", "  "));
   add("blank_behind", with_tails(text, " "));
   add("comments", "# by hand\n" + with_tails(points, " # vertex") + faces);
+  add("comments_behind_numbers", with_tails(points, "# vertex") + with_tails(faces, "#face"));
   add("old_faces", points + faces_as_text(soup, "fo", 1));
   add("indented", indented(text, "  "));
   return files;
@@ -290,6 +298,12 @@ Files ply_files()
   add("ushort", with_type("ushort") + vertex_bytes + binary_faces(std::uint16_t()));
   add("uchar", with_type("uchar") + vertex_bytes + binary_faces(std::uint8_t()));
   add("uint", with_type("uint") + vertex_bytes + binary_faces(std::uint32_t()));
+  add("long", with_type("int64") + vertex_bytes + binary_faces(std::int64_t()));
+  add("ulong", with_type("ulong") + vertex_bytes + binary_faces(std::uint64_t()));
+  add("capitals", changed_case(header, std::toupper) + points + faces);
+  add("mixed_case", replaced(all_replaced(text, "property float ", "Property Float "), "format ascii", "FORMAT ASCII"));
+  add("lines_before", "\n \n" + text);
+  add("indented", indented(text, "  "));
   add("comments", replaced(text, "element face", "comment a\nobj_info b\nelement face"));
   // of the strips 0 1 2 5 ... only what makes the octahedron: each triangle as a strip of its own
   std::string strips = "31";
@@ -338,6 +352,20 @@ Files stl_files()
   add("binary", binary_stl(soup));
   add("binary_solid", binary_stl(soup, "solid but binary"));
   add("binary_bytes_behind", binary_stl(soup) + "xy");
+  add("binary_off_and_bytes_behind", binary_stl(soup, "OFF file of a program") + "xy");
+  // the first 80 bytes may be those with which another kind of file begins
+  int titles = 0;
+  for(const char* title :
+      {"OFF file of a program", "v 1.0", "o body", "g body", "s 1", "ply to STL", "ply\nformat", "COFF\n8 6 12\n",
+       "STOFF", "solid of text\nfacet\nendfacet", "12 20 30", "# by hand", "\xEF\xBB\xBF_body", "\xFF\xFE_b_o_d_y",
+       "\xFE\xFF_b_o_d_y", "\x1F\x8B\x08_packed", "\n\n\n"})
+  {
+    const std::string content = binary_stl(soup, title);
+    add("binary_title_" + std::to_string(++titles), content);
+    files.emplace_back("binary_title_" + std::to_string(titles) + "_without_extension", content);
+  }
+  add("comment_of_another_kind_before", "// by hand\n" + text);
+  add("zero_bytes_in_name", replaced(text, "solid facet of a name", "solid facet" + std::string(2, '\0')));
   add("binary_number_0", binary_stl(soup).replace(80, 4, std::string(4, '\0')));
   add("binary_number_unknown", binary_stl(soup).replace(80, 4, "\xFF\xFF\xFF\xFF"));
   files.emplace_back("binary.stl.gz", gzipped(binary_stl(soup)));
@@ -432,6 +460,7 @@ TEST_F(Spellings, refused_with_a_reason)
   expect_file_error("a.off", "5OFF\n" + counts(soup) + points_as_text(soup), {"OFF"});
   expect_file_error("b.off", "nOFF\n5\n" + counts(soup) + points_as_text(soup), {"5 dimensions"});
   expect_file_error("decimal_comma.off", replaced(off(soup), "1.5", "1,5"), {"line 5", "\"1,5\""});
+  expect_file_error("more_than_announced.stl", binary_stl(soup).replace(80, 1, "\5"), {"announces 5 faces", "of 8"});
   expect_file_error("half.stl", ascii_stl(soup).substr(0, ascii_stl(soup).rfind("endloop")), {"face 7", "endfacet"});
 }
 

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -25,30 +24,47 @@ namespace constrictions {
 
 namespace {
 
-std::string lower_case(std::string text)
-{
-  for(char& c : text)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 bool starts_with(std::string_view text, std::string_view prefix)
 {
   return text.substr(0, prefix.size()) == prefix;
 }
 
-// Many programs begin a binary STL with the word "solid", so the size, which follows from the number of faces, is
-// asked first, and a header of text lines has no zero byte.
-bool is_binary_stl(const std::string& content)
+const std::size_t stl_header = 84;
+
+// The size that follows from the number of faces in its header.
+std::size_t size_of_binary_stl(const std::string& content)
 {
-  const std::size_t header = 84, bytes_per_face = 50;
-  if(content.size() < header)
-    return false;
+  const std::size_t bytes_per_face = 50;
   std::size_t faces = 0;
-  for(std::size_t i = header; i-- > header - 4;)
+  for(std::size_t i = stl_header; i-- > stl_header - 4;)
     faces = faces << 8 | static_cast<unsigned char>(content[i]);
-  return content.size() == header + bytes_per_face * faces ||
-         (starts_with(content, "solid") && content.find('\0') < header);
+  return stl_header + bytes_per_face * faces;
+}
+
+// The first 80 bytes may be anything, such as what files of other formats begin with, so the size is asked before they
+// are looked at. In a text it would be gigabytes.
+bool has_size_of_binary_stl(const std::string& content)
+{
+  return content.size() >= stl_header && content.size() == size_of_binary_stl(content);
+}
+
+bool has_facets_in_words(const std::string& content)
+{
+  const std::string_view word = "endfacet";
+  return std::search(content.begin(), content.end(), word.begin(), word.end(),
+                     [](char c, char lower) { return (c | 0x20) == lower; }) != content.end();
+}
+
+// What has another size than its header says. Many programs begin a binary STL with the word "solid", but a header of
+// text lines has no zero byte.
+bool is_binary_stl_of_other_size(const std::string& content, const std::string& extension)
+{
+  if(content.size() < stl_header)
+    return false;
+  const std::size_t size = size_of_binary_stl(content);
+  if(extension == ".stl" && stl_header < size && size <= content.size())
+    return true; // with bytes behind
+  return starts_with(content, "solid") && content.find('\0') < stl_header && !has_facets_in_words(content);
 }
 
 bool is_obj_keyword(std::string_view word)
@@ -101,20 +117,20 @@ bool is_list_of_points(const Input_file& file)
 Polygon_soup read_format(const Input_file& file)
 {
   const std::string extension = extension_of(file.name);
+  if(has_size_of_binary_stl(file.content) || is_binary_stl_of_other_size(file.content, extension))
+    return read_binary_stl(file);
   Text_scanner scanner(file);
   std::string_view word;
   if(scanner.next_line())
     word = scanner.word();
 
-  if(word == "ply" && starts_with(file.content, "ply"))
+  if(lower_case(word) == "ply")
     return read_ply(file);
   if(is_off_keyword(word))
     return read_off(file);
   if(is_obj_keyword(word))
     return read_obj(file);
-  if(is_binary_stl(file.content))
-    return read_binary_stl(file);
-  if(lower_case(std::string(word)) == "solid" || lower_case(std::string(word)) == "facet")
+  if(lower_case(word) == "solid" || lower_case(word) == "facet")
     return read_ascii_stl(file);
 
   // not what it should be: the reader says what it misses
@@ -125,7 +141,7 @@ Polygon_soup read_format(const Input_file& file)
   if(extension == ".obj")
     return read_obj(file);
   if(extension == ".stl")
-    return read_binary_stl(file);
+    return has_facets_in_words(file.content) ? read_ascii_stl(file) : read_binary_stl(file);
   if(extension == ".ply")
     file.fail("not a PLY file: it does not begin with ply");
   file.fail("neither an OFF, OBJ, PLY nor STL file");
@@ -164,11 +180,15 @@ Mesh read_mesh_file(const std::string& name, const Reading& reading, File_record
   using namespace CGAL::Surface_mesh_constrictions;
 
   Input_file file = name == "-" ? read_standard_input() : read_input_file(name);
-  inflate(file);
-  const std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if(starts_with(file.content, byte_order_mark))
-    file.content.erase(0, byte_order_mark.size());
-  to_bytes(file.content);
+  if(!has_size_of_binary_stl(file.content))
+    inflate(file);
+  if(!has_size_of_binary_stl(file.content))
+  {
+    const std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if(starts_with(file.content, byte_order_mark))
+      file.content.erase(0, byte_order_mark.size());
+    to_bytes(file.content);
+  }
   if(file.content.empty())
     file.fail("the file is empty");
 

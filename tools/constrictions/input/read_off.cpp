@@ -30,18 +30,17 @@ std::optional<Off_kind> parse_keyword(std::string word)
   std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::toupper(c); });
   Off_kind kind;
   std::string_view rest = word;
-  const auto take = [&rest](std::string_view prefix) {
-    const bool is_there = rest.substr(0, prefix.size()) == prefix;
-    if(is_there)
-      rest.remove_prefix(prefix.size());
-    return is_there;
+  // each at most once, in any order: the order in which they are written is not that of the numbers of a vertex
+  const auto take = [&rest](std::string_view prefix, bool& is_there) {
+    if(is_there || rest.substr(0, prefix.size()) != prefix)
+      return false;
+    rest.remove_prefix(prefix.size());
+    return is_there = true;
   };
-  kind.has_texture = take("ST");
-  kind.has_colour = take("C");
   // a small n is the dimension, and "NOFF" in capitals has normals
-  kind.has_normal = take("N");
-  kind.is_homogeneous = take("4");
-  kind.has_dimension = take("N");
+  while(take("ST", kind.has_texture) || take("C", kind.has_colour) || take("N", kind.has_normal) ||
+        take("4", kind.is_homogeneous) || take("N", kind.has_dimension))
+  {}
   return rest == "OFF" ? std::optional<Off_kind>(kind) : std::nullopt;
 }
 
@@ -54,9 +53,10 @@ public:
   {
     read_keyword();
     Text_scanner ahead = m_scanner;
-    if(ahead.next_line() && ahead.word() == "BINARY")
+    if(ahead.next_line() && lower_case(ahead.word()) == "binary")
     {
       m_scanner = ahead;
+      m_scanner.skip_line();
       return read_binary();
     }
     if(m_kind.has_dimension)
@@ -209,10 +209,29 @@ private:
   }
 
   // Geomview's: 32-bit numbers, big-endian, and of each face a number of colour components and these. Some programs
-  // write them as their machine has them.
+  // write them as their machine has them, and some nothing of colours.
   Polygon_soup read_binary()
   {
-    m_scanner.skip_line();
+    try
+    {
+      return read_binary(true);
+    }
+    catch(const std::exception&)
+    {
+      try
+      {
+        m_soup = Polygon_soup();
+        return read_binary(false);
+      }
+      catch(const std::exception&)
+      {}
+      throw;
+    }
+  }
+
+  // Without colours nothing may be missing or left over: else a file that was cut off would be taken for one of these.
+  Polygon_soup read_binary(bool has_colours)
+  {
     std::size_t place = m_scanner.offset();
     const std::string& content = m_file.content;
     const auto remaining = [&] { return content.size() - place; };
@@ -251,14 +270,20 @@ private:
     for(std::size_t f = 0; f < m_nf; ++f)
     {
       const std::int32_t n = next_integer("face", f, m_nf);
+      if(!has_colours && n < 3) // that is a number of colours
+        m_file.fail("face " + std::to_string(f) + " has fewer than three vertices");
       for(std::int32_t i = 0; i < n; ++i)
         m_soup.corners.push_back(checked_index(f, next_integer("face", f, m_nf), m_nv));
       m_soup.end_face();
+      if(!has_colours)
+        continue;
       // what ends with the last face has no colours
       const std::int32_t colours = remaining() == 0 ? 0 : next_integer("face", f, m_nf);
       for(std::int32_t i = 0; i < colours; ++i)
         next_integer("face", f, m_nf);
     }
+    if(!has_colours && remaining() > 0)
+      m_file.fail("the last face is followed by further bytes");
     return std::move(m_soup);
   }
 

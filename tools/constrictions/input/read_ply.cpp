@@ -16,7 +16,8 @@ namespace constrictions {
 
 namespace {
 
-enum class Type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
+// 64-bit integers are not of the format, but some programs write them
+enum class Type { INT8, UINT8, INT16, UINT16, INT32, UINT32, INT64, UINT64, FLOAT32, FLOAT64 };
 
 struct Property
 {
@@ -52,11 +53,10 @@ struct Header
 
 Type read_type(Text_scanner& scanner)
 {
-  const std::array<std::array<std::string_view, 2>, 8> names = {{{"char", "int8"}, {"uchar", "uint8"},
-                                                                 {"short", "int16"}, {"ushort", "uint16"},
-                                                                 {"int", "int32"}, {"uint", "uint32"},
-                                                                 {"float", "float32"}, {"double", "float64"}}};
-  const std::string_view word = scanner.word();
+  const std::array<std::array<std::string_view, 2>, 10> names = {
+      {{"char", "int8"}, {"uchar", "uint8"}, {"short", "int16"}, {"ushort", "uint16"}, {"int", "int32"},
+       {"uint", "uint32"}, {"long", "int64"}, {"ulong", "uint64"}, {"float", "float32"}, {"double", "float64"}}};
+  const std::string word = lower_case(scanner.word());
   for(std::size_t i = 0; i < names.size(); ++i)
     if(word == names[i][0] || word == names[i][1])
       return static_cast<Type>(i);
@@ -65,7 +65,7 @@ Type read_type(Text_scanner& scanner)
 
 Encoding read_encoding(Text_scanner& scanner)
 {
-  const std::string_view word = scanner.word();
+  const std::string word = lower_case(scanner.word());
   if(word == "ascii")
     return Encoding::ASCII;
   if(word == "binary_little_endian")
@@ -80,12 +80,13 @@ Header read_header(Text_scanner& scanner)
 {
   Header header;
   bool has_format = false;
+  scanner.next_line();
   scanner.skip_line(); // "ply"
   for(;;)
   {
     if(!scanner.next_line())
       scanner.fail("the file ends within the PLY header");
-    const std::string_view keyword = scanner.word();
+    const std::string keyword = lower_case(scanner.word());
     if(keyword == "format")
     {
       header.encoding = read_encoding(scanner);
@@ -93,7 +94,7 @@ Header read_header(Text_scanner& scanner)
     }
     else if(keyword == "element")
     {
-      Element element{std::string(scanner.word()), 0, {}};
+      Element element{lower_case(scanner.word()), 0, {}};
       if(!scanner.read(element.count))
         scanner.fail_at_word("PLY header", "a number of elements");
       header.elements.push_back(element);
@@ -103,14 +104,14 @@ Header read_header(Text_scanner& scanner)
       if(header.elements.empty())
         scanner.fail("PLY header: a property without an element");
       Text_scanner ahead = scanner;
-      Property property{std::string(), ahead.word() == "list", Type::UINT8, Type::INT32};
+      Property property{std::string(), lower_case(ahead.word()) == "list", Type::UINT8, Type::INT32};
       if(property.is_list)
       {
         scanner = ahead;
         property.count_type = read_type(scanner);
       }
       property.type = read_type(scanner);
-      property.name = std::string(scanner.word());
+      property.name = lower_case(scanner.word());
       header.elements.back().properties.push_back(property);
     }
     else if(keyword == "end_header")
@@ -121,7 +122,7 @@ Header read_header(Text_scanner& scanner)
       return header;
     }
     else if(keyword != "comment" && keyword != "obj_info")
-      scanner.fail("PLY header: unknown keyword " + quoted(keyword));
+      scanner.fail("PLY header: unknown keyword " + constrictions::quoted(keyword));
     scanner.skip_line();
   }
 }
@@ -167,6 +168,8 @@ public:
       case Type::UINT16: return read_bytes<std::uint16_t>();
       case Type::INT32: return read_bytes<std::int32_t>();
       case Type::UINT32: return read_bytes<std::uint32_t>();
+      case Type::INT64: return static_cast<double>(read_bytes<std::int64_t>());
+      case Type::UINT64: return static_cast<double>(read_bytes<std::uint64_t>());
       case Type::FLOAT32: return read_bytes<float>();
       default: return read_bytes<double>();
     }
@@ -375,7 +378,15 @@ Polygon_soup read_ply(const Input_file& file)
     if(i == vertex->properties.size() || vertex->properties[i].is_list)
       file.fail("PLY header: a vertex has no number named " + quoted(name));
   }
-  for(const Element* faces : {find_element(header, "face"), find_element(header, "tristrips")})
+  const Element* const face = find_element(header, "face");
+  const Element* const strips = find_element(header, "tristrips");
+  if(face == nullptr && strips == nullptr)
+    for(const Element& element : header.elements)
+      if(&element != vertex && std::any_of(element.properties.begin(), element.properties.end(),
+                                           [](const Property& p) { return p.is_list; }))
+        file.fail("a point cloud: no element is named \"face\" or \"tristrips\", and the lists of " +
+                  constrictions::quoted(element.name) + " cannot be read");
+  for(const Element* faces : {face, strips})
     if(faces != nullptr && faces->count > 0 && find_corners(*faces) == faces->properties.size())
       file.fail("PLY header: a " + std::string(faces->name == "face" ? "face" : "strip") +
                 " has no list named \"vertex_indices\" or \"vertex_index\"");

@@ -187,6 +187,9 @@ Polygon_soup read_binary_stl(const Input_file& file)
   // programs that do not know the number in time write one of these
   if((nf == 0 || nf == 0xFFFFFFFFu) && complete > 0 && (content.size() - header) % bytes_per_face == 0)
     nf = complete;
+  if(nf < complete && (content.size() - header) % bytes_per_face == 0)
+    file.fail("its header announces " + std::to_string(nf) + " faces, but it has the bytes of " +
+              std::to_string(complete));
   if(complete < nf)
     file.fail("the file ends at face " + std::to_string(complete) + " of the " + std::to_string(nf) +
               " that its header announces");

@@ -5,6 +5,7 @@
 #include "input/input_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <cstdlib>
@@ -14,9 +15,18 @@
 
 namespace constrictions {
 
-/// Reads words and numbers from a text of lines. A word never goes past the end of its line. Lines end in "\n", "\r\n"
-/// or
-/// "\r". A comma behind a word is no part of it, and Ctrl-Z, with which old systems end a text, is a blank.
+/// `text` with capital letters made small ones.
+inline std::string lower_case(std::string_view text)
+{
+  std::string result(text);
+  for(char& c : result)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// Reads words and numbers from a text of lines. A word never goes past the end of its line, nor into a comment. Lines
+/// end in "\n", "\r\n" or "\r". A comma behind a word is no part of it, and Ctrl-Z, with which old systems end a text,
+/// is a blank.
 class Text_scanner
 {
 public:
@@ -63,12 +73,12 @@ public:
     m_pos += is_pair ? 2 : 1;
   }
 
-  /// the next word of the line; empty at its end.
+  /// the next word of the line; empty at its end. A comment is a word that begins as comments do.
   std::string_view word()
   {
     skip_blanks();
     const char* begin = m_pos;
-    while(m_pos != m_end && !is_blank(*m_pos) && !is_line_end(*m_pos))
+    while(m_pos != m_end && !is_blank(*m_pos) && !is_line_end(*m_pos) && (*m_pos != m_comment || m_pos == begin))
       ++m_pos;
     m_word = std::string_view(begin, static_cast<std::size_t>(m_pos - begin));
     if(m_word.size() > 1 && m_word.back() == ',')

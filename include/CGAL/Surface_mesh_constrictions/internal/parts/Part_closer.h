@@ -124,6 +124,10 @@ private:
 
   // Takes a border apart where it comes back to a vertex. Where a face of a cap would have two corners only, as of a
   // path that runs to and fro, it is left as it is.
+  //
+  // No two loops have more than one vertex of the part in common, so the caps of two have no diagonal in common: when a
+  // loop is taken off, all of its vertices but the one where it closes leave `open`, and what passes them later passes
+  // copies that are not merged with theirs. Different borders have no copy in common.
   void add_loops(std::size_t part, const std::vector<halfedge_descriptor>& border)
   {
     std::vector<std::vector<halfedge_descriptor>> loops;
