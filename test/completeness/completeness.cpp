@@ -16,9 +16,9 @@
 #include "include/decimated.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
-#include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
