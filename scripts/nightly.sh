@@ -16,10 +16,15 @@
 #                                       the tables of the manual
 #   selection                           the default call selects what is selected of all, on all of CGAL's meshes of up
 #                                       to 60,000 faces; prints the table of the manual
+#   completeness                        which strict constrictions of 300 small meshes random walks find and the
+#                                       detection misses; prints the table of the manual
+#   stability                           whether constrictions of twelve meshes are found again on changed ones;
+#                                       prints the table of the manual
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-[ $# -gt 0 ] || set -- headers meshes selection coverage mutation-{certificate,tightening,verification} configurations
+[ $# -gt 0 ] || set -- headers meshes selection completeness stability coverage \
+  mutation-{certificate,tightening,verification} configurations
 mkdir -p build/nightly
 
 run() { # STEP
@@ -48,6 +53,18 @@ run() { # STEP
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
         cmake --build --preset release --target selection_of_all &&
         build/release/test/selection_of_all/selection_of_all --most-faces 60000 data/meshes/*.off
+      ;;
+    completeness)
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+        cmake --build --preset release --target completeness &&
+        build/release/test/completeness/completeness --bodies 32 --walks 390 750 --missed 1150 --separating 5 \
+          data/meshes/*.off
+      ;;
+    stability)
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+        cmake --build --preset release --target stability &&
+        build/release/test/stability/stability --lost 45 \
+          data/meshes/{anchor,cactus,camel,cow,dino,eight,elephant,homer,knot1,mushroom,pig,spool}.off
       ;;
     *)
       echo "there is no step $1"
