@@ -367,30 +367,51 @@ TEST(StructuredBodies, ARotatedBoreWithManyRowsHoldsACurve)
   }
 }
 
+// Points in a frame with these axes, moved.
+void place(Soup& soup, const std::array<Position, 3>& axes, const Position& by)
+{
+  for(Position& p : soup.points)
+  {
+    Position q = by;
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t j = 0; j < 3; ++j)
+        q[i] += axes[i][j] * p[j];
+    p = q;
+  }
+}
+
+const std::array<Position, 3> axes = {{{{0.10454287898179526, 0.6627097812339403, -0.7415433448633069}},
+                                       {{0.3202172736720537, -0.7283516258765991, -0.6057762018476393}},
+                                       {{-0.9415581150923374, -0.1741254000419744, -0.28835509526274616}}}};
+
 // Rotated and rounded to single precision the meridians of a washer are twins, which correction moves: of those that are
 // passed by each may then stand for the other.
 TEST(StructuredBodies, AWasherOfWhichTwinsStandForEachOtherHasItsThroat)
 {
   const double r = 0.5000012138511418, h = 3.614806257030315;
   Soup soup = lathe(64, {{{r, 0}}, {{r, h / 2}}, {{r, h}}, {{2 * r, h}}, {{2 * r, 0}}});
-  const std::array<Position, 3> axes = {{{{0.10454287898179526, 0.6627097812339403, -0.7415433448633069}},
-                                         {{0.3202172736720537, -0.7283516258765991, -0.6057762018476393}},
-                                         {{-0.9415581150923374, -0.1741254000419744, -0.28835509526274616}}}};
-  const Position by = {{-2.605762706563972, -0.360784119055392, -1.156461141611711}};
+  place(soup, axes, {{-2.605762706563972, -0.360784119055392, -1.156461141611711}});
   for(Position& p : soup.points)
-  {
-    Position q = by;
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      for(std::size_t j = 0; j < 3; ++j)
-        q[i] += axes[i][j] * p[j];
-      q[i] = static_cast<float>(q[i]);
-    }
-    p = q;
-  }
+    for(double& x : p)
+      x = static_cast<float>(x);
   const auto curves = detection::detect(test_meshes::make_mesh(soup));
   ASSERT_FALSE(curves.empty());
   EXPECT_NEAR(curves[0].length(), 128 * r * std::sin(CGAL_PI / 64), 1e-5);
+}
+
+// Correction moves the meridians of a rotated washer, which all have the same length. One stands for all of them, and
+// not each for itself.
+TEST(StructuredBodies, OneMeridianOfARotatedWasherStandsForAll)
+{
+  for(const std::size_t n : {48, 64})
+  {
+    Soup soup = lathe(n, {{{1, 0}}, {{1, 1.5}}, {{1, 3}}, {{2, 3}}, {{2, 0}}});
+    place(soup, axes, {{0, 0, 0}});
+    const auto curves = detection::detect(test_meshes::make_mesh(soup));
+    ASSERT_EQ(curves.size(), 2u) << n;
+    EXPECT_NEAR(curves[0].length(), static_cast<double>(2 * n) * std::sin(CGAL_PI / static_cast<double>(n)), 1e-9);
+    EXPECT_NEAR(curves[1].length(), 8, 0.1); // around the ring, a little shorter than straight along the axis
+  }
 }
 
 } // namespace test_structured_bodies
