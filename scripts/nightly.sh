@@ -10,7 +10,7 @@
 #   mutation-certificate, mutation-tightening, mutation-verification
 #                                       which comparisons can be flipped without a test that notices
 #   configurations                      what .ci/run leaves out: the whole suite with the sanitizers of both compilers, and
-#                                       the same curves in the debug builds and with Clang and CGAL 6
+#                                       the same curves in the debug builds and with Clang
 #   headers                             every internal header compiles on its own
 #   meshes                              all of CGAL's meshes but a point cloud are answered, each curve certified; prints
 #                                       the tables of the manual
@@ -35,8 +35,8 @@ run() { # STEP
         scripts/mutation/run.py build/mutation --group "${1#mutation-}" --jobs "$(scripts/number_of_jobs.sh 3200)"
       ;;
     configurations)
-      scripts/test.sh debug:curves clang-debug:curves cgal6-debug:curves clang-cgal6-release:curves sanitizers \
-        clang-cgal6-sanitizers
+      scripts/test.sh debug:curves clang-debug:curves cgal6-debug:curves clang-release:curves \
+        clang-cgal6-release:curves sanitizers clang-cgal6-sanitizers
       ;;
     headers)
       scripts/setup.sh && cmake --preset release -DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_TEST_PROGRAMS=OFF &&

@@ -23,9 +23,13 @@ double wobble(int i, int j, double size) { return size * std::sin(37.0 * i + 91.
 // The profile of a mushroom, radius and height in its cell of size 2, from the ground at its foot (0) to the top (1).
 std::array<double, 2> mushroom(double s)
 {
-  static const std::array<std::array<double, 3>, 7> corners = {{{{0, 0.95, 0}}, {{0.25, 0.45, 0.05}}, {{0.4, 0.3, 0.35}},
-                                                                {{0.55, 0.3, 0.7}}, {{0.7, 0.75, 0.85}},
-                                                                {{0.85, 0.5, 1.25}}, {{1, 0, 1.4}}}};
+  static const std::array<std::array<double, 3>, 7> corners = {{{{0, 0.95, 0}},
+                                                                {{0.25, 0.45, 0.05}},
+                                                                {{0.4, 0.3, 0.35}},
+                                                                {{0.55, 0.3, 0.7}},
+                                                                {{0.7, 0.75, 0.85}},
+                                                                {{0.85, 0.5, 1.25}},
+                                                                {{1, 0, 1.4}}}};
   std::size_t i = 1;
   while(i + 1 < corners.size() && corners[i][0] < s)
     ++i;
@@ -59,7 +63,8 @@ Mesh chain_of_necks(int faces, int necks)
       mesh.add_face(at(i, j), at(i, j + 1), at(i + 1, j + shift));
       mesh.add_face(at(i, j + 1 - shift), at(i + 1, j + 1), at(i + 1, j));
     }
-  const Vertex bottom = mesh.add_vertex(Kernel::Point_3(0, 0, -0.05)), top = mesh.add_vertex(Kernel::Point_3(0, 0, 12.05));
+  const Vertex bottom = mesh.add_vertex(Kernel::Point_3(0, 0, -0.05)),
+               top = mesh.add_vertex(Kernel::Point_3(0, 0, 12.05));
   for(int j = 0; j < around; ++j)
   {
     mesh.add_face(at(0, j + 1), at(0, j), bottom);
@@ -97,8 +102,8 @@ Mesh bed_of_mushrooms(int faces, int mushrooms)
           z += p[1];
         }
         const int seed = side == 0 ? 0 : 7919;
-        sheets[side].push_back(mesh.add_vertex(Kernel::Point_3(x + wobble(i, j + seed, 1e-3), y + wobble(j + seed, i, 1e-3),
-                                                               (side == 0 ? 1 : -1) * z)));
+        sheets[side].push_back(mesh.add_vertex(
+            Kernel::Point_3(x + wobble(i, j + seed, 1e-3), y + wobble(j + seed, i, 1e-3), (side == 0 ? 1 : -1) * z)));
       }
   for(std::size_t side = 0; side < 2; ++side)
     for(int i = 0; i < n; ++i)

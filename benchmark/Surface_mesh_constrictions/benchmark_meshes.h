@@ -15,7 +15,8 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 /// a surface of revolution with a number of necks and about the given number of faces, without two equal edges in it
 Mesh chain_of_necks(int faces, int necks);
 
-/// a flat body whose top and bottom are beds of mushrooms, about the given number of them and of faces: each stem is a neck
+/// a flat body whose top and bottom are beds of mushrooms, about the given number of them and of faces: each stem is a
+/// neck
 Mesh bed_of_mushrooms(int faces, int mushrooms);
 
 /// the mesh of a file after some Loop subdivisions, which make four faces of each; empty if there is no such file

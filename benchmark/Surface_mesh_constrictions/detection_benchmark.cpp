@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whole detection, with one thread and with all, against CGAL's edge_collapse() alone, with the same policies on a copy of
-// the same mesh, and against OpenMesh's quadric decimater, where that is installed.
+// Whole detection, with one thread and with all, against CGAL's edge_collapse() alone, with the same policies on a copy
+// of the same mesh, and against OpenMesh's quadric decimater, where that is installed.
 //
-// Meshes: surfaces with one neck and with many, of about 1,000 to 1,000,000 faces; and, with CONSTRICTIONS_MESH_DIR in the
-// environment, its armadillo.off after 0, 1 and 2 Loop subdivisions.
+// Meshes: surfaces with one neck and with many, of about 1,000 to 1,000,000 faces; and, with CONSTRICTIONS_MESH_DIR in
+// the environment, its armadillo.off after 0, 1 and 2 Loop subdivisions.
 // Counters: faces, curves; milliseconds of the stages, of which `copy` is what comes before the first one, checking and
 // copying the mesh, and `record` what the stage SEEDS takes without a seed source: building the progressive mesh from
 // the record; peak_MB is what the process's peak memory rose to, which only means something if one benchmark is run
@@ -42,7 +42,12 @@ namespace SMS = CGAL::Surface_mesh_simplification;
 using benchmark_meshes::Kernel;
 using benchmark_meshes::Mesh;
 
-enum Family { ONE_NECK, MANY_NECKS, REAL };
+enum Family
+{
+  ONE_NECK,
+  MANY_NECKS,
+  REAL
+};
 
 // The size is the number of faces, or of subdivisions of the real mesh.
 Mesh make_mesh(std::int64_t family, std::int64_t size)
@@ -73,7 +78,10 @@ constexpr const char* no_mesh = "no armadillo.off in CONSTRICTIONS_MESH_DIR";
 struct Never_stop
 {
   template <class FT, class Profile, class Size>
-  bool operator()(const FT&, const Profile&, Size, Size) const { return false; }
+  bool operator()(const FT&, const Profile&, Size, Size) const
+  {
+    return false;
+  }
 };
 
 void report(benchmark::State& state, const Mesh& mesh)
@@ -104,8 +112,8 @@ void openmesh_decimater(benchmark::State& state)
   const Mesh& mesh = mesh_of(state);
   if(mesh.is_empty())
     return state.SkipWithError(no_mesh);
-  std::vector<std::array<double, 3> > points;
-  std::vector<std::array<std::size_t, 3> > triangles;
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
   for(auto v : mesh.vertices())
     points.push_back({{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()}});
   for(auto f : mesh.faces())
@@ -157,7 +165,7 @@ void whole_detection(benchmark::State& state)
   const Mesh& mesh = mesh_of(state);
   if(mesh.is_empty())
     return state.SkipWithError(no_mesh);
-  std::vector<SMC::Constriction<Mesh> > constrictions;
+  std::vector<SMC::Constriction<Mesh>> constrictions;
   Stage_clock::Times times, without_seeds;
   for(auto _ : state)
   {
@@ -167,7 +175,7 @@ void whole_detection(benchmark::State& state)
                                               CGAL::parameters::visitor(Stage_clock(times)));
   }
   report(state, mesh);
-  std::vector<SMC::Constriction<Mesh> > none;
+  std::vector<SMC::Constriction<Mesh>> none;
   SMC::detect_constrictions<ConcurrencyTag>(
       mesh, std::back_inserter(none),
       SMC::parameters::seed_sources(SMC::Given_seeds({}), CGAL::parameters::visitor(Stage_clock(without_seeds))));

@@ -23,8 +23,8 @@ struct Openmesh_decimater::Implementation
   Mesh mesh;
 };
 
-Openmesh_decimater::Openmesh_decimater(const std::vector<std::array<double, 3> >& points,
-                                       const std::vector<std::array<std::size_t, 3> >& triangles)
+Openmesh_decimater::Openmesh_decimater(const std::vector<std::array<double, 3>>& points,
+                                       const std::vector<std::array<std::size_t, 3>>& triangles)
   : m_implementation(std::make_unique<Implementation>())
 {
   Implementation::Mesh& mesh = m_implementation->mesh;
@@ -51,8 +51,8 @@ std::size_t Openmesh_decimater::collapses_of_a_copy() const
 struct Openmesh_decimater::Implementation
 {};
 
-Openmesh_decimater::Openmesh_decimater(const std::vector<std::array<double, 3> >&,
-                                       const std::vector<std::array<std::size_t, 3> >&)
+Openmesh_decimater::Openmesh_decimater(const std::vector<std::array<double, 3>>&,
+                                       const std::vector<std::array<std::size_t, 3>>&)
 {}
 
 std::size_t Openmesh_decimater::collapses_of_a_copy() const { return 0; }

@@ -11,8 +11,8 @@
 class Openmesh_decimater
 {
 public:
-  Openmesh_decimater(const std::vector<std::array<double, 3> >& points,
-                     const std::vector<std::array<std::size_t, 3> >& triangles);
+  Openmesh_decimater(const std::vector<std::array<double, 3>>& points,
+                     const std::vector<std::array<std::size_t, 3>>& triangles);
   ~Openmesh_decimater();
 
   /// simplifies a copy of the mesh and returns the number of collapses; 0 if OpenMesh is not installed

@@ -51,7 +51,7 @@ struct Row
 Row cut_along_constrictions(Mesh& mesh, double& seconds_of_segmentation, double& seconds_of_split)
 {
   const auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
-  std::vector<SMC::Constriction<Mesh> > constrictions;
+  std::vector<SMC::Constriction<Mesh>> constrictions;
   Stopwatch watch;
   SMC::detect_constrictions(mesh, std::back_inserter(constrictions));
   Row row = {0, 0, watch.seconds()};

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Tightening loops of edges, against what else makes a loop short: shortest paths between three of its vertices, a third
-// of the loop apart, along edges by Dijkstra's algorithm, and on the surface by CGAL's Surface_mesh_shortest_path.
+// Tightening loops of edges, against what else makes a loop short: shortest paths between three of its vertices, a
+// third of the loop apart, along edges by Dijkstra's algorithm, and on the surface by CGAL's
+// Surface_mesh_shortest_path.
 //
 // The loops run beside constrictions of elephant.off, which is looked for in CONSTRICTIONS_MESH_DIR, after 0 and 1 Loop
-// subdivisions. Counters: faces, loops, and the length of the result in percent of the constriction's, on average. Shortest
-// paths have a corner at each of the three vertices, so theirs is no closed geodesic.
+// subdivisions. Counters: faces, loops, and the length of the result in percent of the constriction's, on average.
+// Shortest paths have a corner at each of the three vertices, so theirs is no closed geodesic.
 
 #include "benchmark_meshes.h"
 
@@ -78,7 +79,7 @@ const Problem& problem(std::int64_t subdivisions)
   result.mesh = benchmark_meshes::subdivided(std::string(directory) + "/elephant.off", static_cast<int>(subdivisions));
   if(result.mesh.is_empty())
     return result;
-  std::vector<SMC::Constriction<Mesh> > constrictions;
+  std::vector<SMC::Constriction<Mesh>> constrictions;
   SMC::detect_constrictions(result.mesh, std::back_inserter(constrictions),
                             SMC::parameters::maximum_number_of_constrictions(5));
   for(const SMC::Constriction<Mesh>& c : constrictions)
@@ -118,7 +119,7 @@ void measure(benchmark::State& state, const LengthOf& length_of)
 void tighten(benchmark::State& state)
 {
   measure(state, [](const Problem& p) {
-    std::vector<SMC::Tightened_curve<Mesh> > curves;
+    std::vector<SMC::Tightened_curve<Mesh>> curves;
     SMC::tighten_closed_curves(p.mesh, p.loops, std::back_inserter(curves));
     std::vector<double> lengths;
     for(const auto& c : curves)
@@ -143,11 +144,10 @@ void dijkstra(benchmark::State& state)
           return std::sqrt(CGAL::squared_distance(p.mesh.point(p.mesh.source(h)), p.mesh.point(p.mesh.target(h))));
         };
         const auto index = get(boost::vertex_index, p.mesh);
-        boost::dijkstra_shortest_paths(
-            p.mesh, ends[i],
-            boost::weight_map(boost::make_function_property_map<Mesh::Edge_index>(weight))
-                .distance_map(boost::make_iterator_property_map(distance.begin(), index))
-                .vertex_index_map(index));
+        boost::dijkstra_shortest_paths(p.mesh, ends[i],
+                                       boost::weight_map(boost::make_function_property_map<Mesh::Edge_index>(weight))
+                                           .distance_map(boost::make_iterator_property_map(distance.begin(), index))
+                                           .vertex_index_map(index));
         sum += distance[ends[(i + 1) % 3]];
       }
       lengths.push_back(sum);
@@ -159,7 +159,7 @@ void dijkstra(benchmark::State& state)
 void surface_mesh_shortest_path(benchmark::State& state)
 {
   measure(state, [](const Problem& p) {
-    typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> > Shortest_paths;
+    typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> Shortest_paths;
     std::vector<double> lengths;
     for(const Loop& loop : p.loops)
     {

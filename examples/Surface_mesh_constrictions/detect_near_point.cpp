@@ -31,9 +31,10 @@ int main(int argc, char* argv[])
   }
 
   // by default on an arm of the cactus
-  const Kernel::Point_3 location = argc > 4 ? Kernel::Point_3(std::atof(argv[2]), std::atof(argv[3]), std::atof(argv[4]))
-                                            : Kernel::Point_3(0.33, 0.13, 0.02);
-  std::vector<SMC::Constriction<Mesh> > nearest;
+  const Kernel::Point_3 location = argc > 4
+                                       ? Kernel::Point_3(std::atof(argv[2]), std::atof(argv[3]), std::atof(argv[4]))
+                                       : Kernel::Point_3(0.33, 0.13, 0.02);
+  std::vector<SMC::Constriction<Mesh>> nearest;
   SMC::detect_constrictions_near(mesh, location, std::back_inserter(nearest),
                                  SMC::parameters::maximum_number_of_constrictions(std::size_t(1)));
   if(nearest.empty())

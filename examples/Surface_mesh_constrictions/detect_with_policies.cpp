@@ -31,7 +31,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  std::vector<SMC::Constriction<Mesh> > constrictions;
+  std::vector<SMC::Constriction<Mesh>> constrictions;
   SMC::detect_constrictions(mesh, std::back_inserter(constrictions),
                             CGAL::parameters::get_cost(SMS::LindstromTurk_cost<SMC::Simplification_mesh>())
                                 .get_placement(SMS::LindstromTurk_placement<SMC::Simplification_mesh>()));

@@ -27,7 +27,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > constrictions;
+  std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh>> constrictions;
   CGAL::Surface_mesh_constrictions::detect_constrictions(mesh, std::back_inserter(constrictions));
   CGAL::draw(mesh, constrictions);
   return EXIT_SUCCESS;

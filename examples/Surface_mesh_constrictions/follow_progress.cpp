@@ -46,13 +46,16 @@ int main(int argc, char* argv[])
   }
 
   for(int seconds : {600, 0})
-    try {
+    try
+    {
       Progress progress;
       progress.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
-      std::vector<SMC::Constriction<Mesh> > constrictions;
+      std::vector<SMC::Constriction<Mesh>> constrictions;
       SMC::detect_constrictions(mesh, std::back_inserter(constrictions), CGAL::parameters::visitor(progress));
       std::cout << constrictions.size() << " constrictions" << std::endl;
-    } catch(const std::runtime_error& e) {
+    }
+    catch(const std::runtime_error& e)
+    {
       std::cout << e.what() << " after " << seconds << " seconds" << std::endl;
     }
   return EXIT_SUCCESS;

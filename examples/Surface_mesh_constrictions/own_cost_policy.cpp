@@ -36,7 +36,7 @@ struct Policies_by_place
 {
   auto operator()(SMC::Simplification_mesh&) const
   {
-    return SMC::Cost_and_placement<Cost_by_place, SMS::Midpoint_placement<SMC::Simplification_mesh> >({}, {});
+    return SMC::Cost_and_placement<Cost_by_place, SMS::Midpoint_placement<SMC::Simplification_mesh>>({}, {});
   }
 };
 
@@ -50,7 +50,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  std::vector<SMC::Constriction<Mesh> > constrictions;
+  std::vector<SMC::Constriction<Mesh>> constrictions;
   SMC::detect_constrictions(mesh, std::back_inserter(constrictions),
                             SMC::parameters::simplification_policies(Policies_by_place()));
   for(const auto& c : constrictions)

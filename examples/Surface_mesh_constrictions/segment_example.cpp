@@ -28,17 +28,18 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  std::vector<SMC::Constriction<Mesh> > constrictions;
+  std::vector<SMC::Constriction<Mesh>> constrictions;
   SMC::detect_constrictions(mesh, std::back_inserter(constrictions));
 
   // at necks only, not around the holes of handles
   auto patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
-  const SMC::Surface_parts result = SMC::segment_by_constrictions(
-      mesh, constrictions, patch, SMC::parameters::choked_side(SMC::Side::OBJECT));
+  const SMC::Surface_parts result =
+      SMC::segment_by_constrictions(mesh, constrictions, patch, SMC::parameters::choked_side(SMC::Side::OBJECT));
 
   for(std::size_t p = 0; p < result.parts.size(); ++p)
-    std::cout << "part " << p << ": area " << result.parts[p].area << ", volume " << result.parts[p].volume << ", genus "
-              << result.parts[p].genus << ", most of " << result.parts[p].number_of_faces << " faces" << std::endl;
+    std::cout << "part " << p << ": area " << result.parts[p].area << ", volume " << result.parts[p].volume
+              << ", genus " << result.parts[p].genus << ", most of " << result.parts[p].number_of_faces << " faces"
+              << std::endl;
   for(const SMC::Part_adjacency& a : result.adjacencies)
     std::cout << "parts " << a.parts[0] << " and " << a.parts[1] << " meet at constriction " << a.curve << " of length "
               << a.length << std::endl;

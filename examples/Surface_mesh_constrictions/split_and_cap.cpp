@@ -30,7 +30,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  std::vector<SMC::Constriction<Mesh> > constrictions;
+  std::vector<SMC::Constriction<Mesh>> constrictions;
   SMC::detect_constrictions(mesh, std::back_inserter(constrictions));
 
   auto is_constrained = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;

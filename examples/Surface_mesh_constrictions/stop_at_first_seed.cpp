@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// CGAL's edge_collapse() with the stop predicate alone: simplify until the collapse of an edge would change the topology.
+// CGAL's edge_collapse() with the stop predicate alone: simplify until the collapse of an edge would change the
+// topology.
 
 #include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
 
@@ -30,9 +31,9 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  const int removed = SMS::edge_collapse(mesh, SMC::Non_face_triangle_stop_predicate(),
-                                         CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>())
-                                             .get_placement(SMS::Midpoint_placement<Mesh>()));
+  const int removed = SMS::edge_collapse(
+      mesh, SMC::Non_face_triangle_stop_predicate(),
+      CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>()).get_placement(SMS::Midpoint_placement<Mesh>()));
   mesh.collect_garbage();
   std::cout << removed << " edges removed, " << mesh.number_of_faces() << " faces left" << std::endl;
   return EXIT_SUCCESS;

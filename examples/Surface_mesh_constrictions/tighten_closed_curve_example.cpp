@@ -39,7 +39,8 @@ int main(int argc, char* argv[])
   switch(result.verdict)
   {
   case SMC::Tightening_verdict::CLOSED_GEODESIC:
-    std::cout << "a constriction of length " << result.curve.length() << ", " << result.curve.certificate() << std::endl;
+    std::cout << "a constriction of length " << result.curve.length() << ", " << result.curve.certificate()
+              << std::endl;
     break;
   case SMC::Tightening_verdict::DEGENERATE:
     std::cout << "the loop shrinks to a point" << std::endl;

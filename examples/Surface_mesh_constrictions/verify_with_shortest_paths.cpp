@@ -29,7 +29,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  std::vector<SMC::Constriction<Mesh> > constrictions;
+  std::vector<SMC::Constriction<Mesh>> constrictions;
   SMC::detect_constrictions(mesh, std::back_inserter(constrictions));
 
   std::size_t confirmed = 0;

@@ -44,7 +44,7 @@ inline IO::Color side_color(Side side)
 // Adds the faces of the mesh, and the curves, to what CGAL's viewer draws: a `Graphics_scene`, or before CGAL 6 the
 // viewer itself.
 template <class TriangleMesh, class Scene>
-void add_to_scene(const TriangleMesh& tm, const std::vector<Constriction<TriangleMesh> >& constrictions, Scene& scene)
+void add_to_scene(const TriangleMesh& tm, const std::vector<Constriction<TriangleMesh>>& constrictions, Scene& scene)
 {
   const auto vpm = get(CGAL::vertex_point, tm);
   for(auto f : faces(tm))
@@ -69,7 +69,7 @@ class Constrictions_viewer : public Basic_viewer_qt
 public:
   template <class TriangleMesh>
   Constrictions_viewer(QWidget* parent, const TriangleMesh& tm,
-                       const std::vector<Constriction<TriangleMesh> >& constrictions, const char* title)
+                       const std::vector<Constriction<TriangleMesh>>& constrictions, const char* title)
     : Basic_viewer_qt(parent, title, false, true, true, false, false)
   {
     add_to_scene(tm, constrictions, *this);
@@ -90,7 +90,7 @@ public:
 /// \cost linear in the size of the mesh and the curves
 template <class TriangleMesh>
 void add_to_graphics_scene(const TriangleMesh& tm,
-                           const std::vector<Surface_mesh_constrictions::Constriction<TriangleMesh> >& constrictions,
+                           const std::vector<Surface_mesh_constrictions::Constriction<TriangleMesh>>& constrictions,
                            Graphics_scene& scene)
 {
   Surface_mesh_constrictions::internal::add_to_scene(tm, constrictions, scene);
@@ -110,7 +110,7 @@ void add_to_graphics_scene(const TriangleMesh& tm,
 /// \cost linear in the size of the mesh and the curves
 template <class TriangleMesh>
 void draw(const TriangleMesh& tm,
-          const std::vector<Surface_mesh_constrictions::Constriction<TriangleMesh> >& constrictions,
+          const std::vector<Surface_mesh_constrictions::Constriction<TriangleMesh>>& constrictions,
           const char* title = "Constrictions")
 {
 #if CGAL_VERSION_NR >= 1060000000
@@ -139,10 +139,10 @@ void draw(const TriangleMesh& tm,
 // The same, where CGAL's own functions for `Surface_mesh` would do as well as the one above.
 template <class P>
 void draw(const Surface_mesh<P>& sm,
-          const std::vector<Surface_mesh_constrictions::Constriction<Surface_mesh<P> > >& constrictions,
+          const std::vector<Surface_mesh_constrictions::Constriction<Surface_mesh<P>>>& constrictions,
           const char* title = "Constrictions")
 {
-  draw<Surface_mesh<P> >(sm, constrictions, title);
+  draw<Surface_mesh<P>>(sm, constrictions, title);
 }
 #endif
 

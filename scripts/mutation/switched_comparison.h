@@ -22,22 +22,22 @@ inline Place at(long number)
   return {number == flipped};
 }
 
-#define SWITCHED_COMPARISON_OPERATOR(NAME, OPERATOR) \
-  template <class Left> \
-  struct NAME \
-  { \
-    const Left& left; \
-    bool is_flipped; \
-    template <class Right> \
-    friend bool operator OPERATOR(const NAME& l, const Right& right) \
-    { \
-      return static_cast<bool>(l.left OPERATOR right) != l.is_flipped; \
-    } \
-  }; \
-  template <class Left> \
-  NAME<Left> operator OPERATOR(const Left& left, Place place) \
-  { \
-    return {left, place.is_flipped}; \
+#define SWITCHED_COMPARISON_OPERATOR(NAME, OPERATOR)                                                                   \
+  template <class Left>                                                                                                \
+  struct NAME                                                                                                          \
+  {                                                                                                                    \
+    const Left& left;                                                                                                  \
+    bool is_flipped;                                                                                                   \
+    template <class Right>                                                                                             \
+    friend bool operator OPERATOR(const NAME& l, const Right& right)                                                   \
+    {                                                                                                                  \
+      return static_cast<bool>(l.left OPERATOR right) != l.is_flipped;                                                 \
+    }                                                                                                                  \
+  };                                                                                                                   \
+  template <class Left>                                                                                                \
+  NAME<Left> operator OPERATOR(const Left& left, Place place)                                                          \
+  {                                                                                                                    \
+    return {left, place.is_flipped};                                                                                   \
   }
 
 SWITCHED_COMPARISON_OPERATOR(Less, <)

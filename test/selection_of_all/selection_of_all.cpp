@@ -80,8 +80,7 @@ void subtract(const Constrictions& one, const Constrictions& other, const char* 
 Comparison compare(const Mesh& mesh, const Constrictions& all, double threshold)
 {
   Constrictions by_default, of_all;
-  SMC::detect_constrictions(mesh, std::back_inserter(by_default),
-                            params::certify(false).minimum_prominence(threshold));
+  SMC::detect_constrictions(mesh, std::back_inserter(by_default), params::certify(false).minimum_prominence(threshold));
   SMC::select_by_prominence(all, std::back_inserter(of_all), params::minimum_prominence(threshold));
   Comparison result;
   result.by_default = by_default.size();
@@ -101,8 +100,8 @@ Homology_class sum(const Homology_class& a, const Homology_class& b)
   return result;
 }
 
-// What does not hold of the hierarchy of all. A rim has come off where it is. A curve whose class is the sum of those of
-// shorter ones can fall apart into these.
+// What does not hold of the hierarchy of all. A rim has come off where it is. A curve whose class is the sum of those
+// of shorter ones can fall apart into these.
 std::vector<std::string> faults(const Constrictions& all)
 {
   std::vector<std::string> result;

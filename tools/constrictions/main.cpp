@@ -83,15 +83,15 @@ void detect_by_policy(const Options& options, const Selection& selection, Stage_
 {
   switch(options.policy)
   {
-    case Policy::GARLAND_HECKBERT:
-      report.constrictions = detect_with_garland_heckbert(report.mesh, selection, options.search, monitor, levels);
-      break;
-    case Policy::LINDSTROM_TURK:
-      report.constrictions = detect_with_lindstrom_turk(report.mesh, selection, options.search, monitor, levels);
-      break;
-    case Policy::EDGE_LENGTH:
-      report.constrictions = detect_with_edge_length(report.mesh, selection, options.search, monitor, levels);
-      break;
+  case Policy::GARLAND_HECKBERT:
+    report.constrictions = detect_with_garland_heckbert(report.mesh, selection, options.search, monitor, levels);
+    break;
+  case Policy::LINDSTROM_TURK:
+    report.constrictions = detect_with_lindstrom_turk(report.mesh, selection, options.search, monitor, levels);
+    break;
+  case Policy::EDGE_LENGTH:
+    report.constrictions = detect_with_edge_length(report.mesh, selection, options.search, monitor, levels);
+    break;
   }
   report.statistics = monitor.statistics;
 }
@@ -124,10 +124,9 @@ void tighten(const Options& options, const Loops& loops, Stage_monitor& monitor,
 
 void write_parts(const Options& options, const Report& report, const Parts& parts)
 {
-  std::vector<Output_file> files = {
-      {options.file_in_folder("parts.json"), parts_as_json(report, parts)},
-      {options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)},
-      {options.file_in_folder("parts.vtp"), mesh_as_vtp(parts.mesh, parts.part_of_face)}};
+  std::vector<Output_file> files = {{options.file_in_folder("parts.json"), parts_as_json(report, parts)},
+                                    {options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)},
+                                    {options.file_in_folder("parts.vtp"), mesh_as_vtp(parts.mesh, parts.part_of_face)}};
   for(std::size_t p = 0; p < parts.parts.size(); ++p)
     files.push_back({options.file_in_folder(part_file_name(p)),
                      mesh_as_ply(parts.parts[p].mesh, std::vector<std::size_t>(parts.parts[p].mesh.num_faces(), p))});

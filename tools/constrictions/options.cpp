@@ -59,10 +59,7 @@ const char* const examples =
     "Exit codes: 0 done (there may be no constrictions), 1 the input is not a usable mesh, or a curve is not\n"
     "certified, 2 wrong usage, 3 an output could not be written.\n";
 
-std::string not_empty(const std::string& name)
-{
-  return name.empty() ? "a name is missing" : "";
-}
+std::string not_empty(const std::string& name) { return name.empty() ? "a name is missing" : ""; }
 
 CLI::Validator greater_than_zero()
 {
@@ -117,8 +114,9 @@ void add_check_options(CLI::App& command, Options& options)
 
 void add_no_certify(CLI::App& command, Search& search)
 {
-  command.add_flag_callback("--no-certify", [&search] { search.certifies = false; },
-                            "prove nothing with exact arithmetic: curves rest on rounded numbers");
+  command.add_flag_callback(
+      "--no-certify", [&search] { search.certifies = false; },
+      "prove nothing with exact arithmetic: curves rest on rounded numbers");
 }
 
 void add_common_options(CLI::App& command, Options& options)
@@ -127,9 +125,11 @@ void add_common_options(CLI::App& command, Options& options)
                                 "");
 
   add_mesh(command, options);
-  command.add_option("-o", options.folder,
-                     "write constrictions.json, constrictions.polylines.txt, and, for other viewers, constrictions.ply and "
-                     "constrictions.vtp into the folder DIR; it is created if missing")
+  command
+      .add_option(
+          "-o", options.folder,
+          "write constrictions.json, constrictions.polylines.txt, and, for other viewers, constrictions.ply and "
+          "constrictions.vtp into the folder DIR; it is created if missing")
       ->type_name("DIR")
       ->check(not_empty);
   command.add_option("--json", options.json, "write everything that is known of the curves as JSON; - prints it")
@@ -196,19 +196,23 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
 {
   add_mesh(command, options);
   command
-      .add_option("-o", options.folder,
-                  "write parts.ply and parts.vtp, the mesh with a colour and a patch number for each face, parts.json, and "
-                  "for each part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing")
+      .add_option(
+          "-o", options.folder,
+          "write parts.ply and parts.vtp, the mesh with a colour and a patch number for each face, parts.json, and "
+          "for each part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing")
       ->type_name("DIR")
       ->required()
       ->check(not_empty);
-  command.add_option("--parts", options.segmentation.parts, "cut into N parts at most, along the first curves of the table")
+  command
+      .add_option("--parts", options.segmentation.parts,
+                  "cut into N parts at most, along the first curves of the table")
       ->type_name("N")
       ->check(CLI::Range(std::size_t(1), (std::numeric_limits<std::size_t>::max)()).description(""));
   command
-      .add_option("--side", side,
-                  "cut along curves only that choke the object, as at its necks, or the space around it, as in the hole "
-                  "of a ring")
+      .add_option(
+          "--side", side,
+          "cut along curves only that choke the object, as at its necks, or the space around it, as in the hole "
+          "of a ring")
       ->type_name("object|complement")
       ->check(CLI::IsMember({"object", "complement"}).description(""));
   command.add_flag("--open", options.segmentation.open, "do not close the holes of the parts");
@@ -221,15 +225,17 @@ void add_view_options(CLI::App& command, Options& options)
 {
   add_mesh(command, options);
   command
-      .add_option("-o", options.page,
-                  "write a page that shows the mesh, its parts and constrictions, and how these were found; it needs no "
-                  "other file and no network")
+      .add_option(
+          "-o", options.page,
+          "write a page that shows the mesh, its parts and constrictions, and how these were found; it needs no "
+          "other file and no network")
       ->type_name("FILE.html")
       ->required()
       ->check(not_empty);
   add_no_certify(command, options.search);
   command.add_flag("--quiet", options.quiet, "show no progress bar");
-  command.footer("\nA slider in the page shows more curves: weaker ones, down to a prominence of 0.01, or all with --all.\n");
+  command.footer(
+      "\nA slider in the page shows more curves: weaker ones, down to a prominence of 0.01, or all with --all.\n");
 }
 
 void add_selection_options(CLI::App& command, Selection& selection)
@@ -244,7 +250,9 @@ void add_selection_options(CLI::App& command, Selection& selection)
   command.add_flag("--all", selection.all, "report every distinct closed geodesic found, no selection");
   command.add_flag("--rims", selection.rims,
                    "report also curves that run along the boundary of a hole for most of their length");
-  command.add_option("--max", selection.maximum_number, "report N at most, those with the greatest product of prominence and roundness, or the nearest")
+  command
+      .add_option("--max", selection.maximum_number,
+                  "report N at most, those with the greatest product of prominence and roundness, or the nearest")
       ->type_name("N")
       ->check(not_negative);
   command
@@ -254,21 +262,23 @@ void add_selection_options(CLI::App& command, Selection& selection)
       ->type_name("P")
       ->check(not_negative);
   command
-      .add_option("--min-isolation", selection.minimum_isolation,
-                  "leave out curves that lie beside a more prominent one: the area between the two, divided by length^2, "
-                  "is less than this")
+      .add_option(
+          "--min-isolation", selection.minimum_isolation,
+          "leave out curves that lie beside a more prominent one: the area between the two, divided by length^2, "
+          "is less than this")
       ->type_name("I")
       ->check(not_negative);
   command
-      .add_option("--max-ratio", selection.maximum_ratio,
-                  "leave out curves that cut off too little: length^2 / (4 pi area) is greater than this; it is 0.5 for "
-                  "the equator of a sphere")
+      .add_option(
+          "--max-ratio", selection.maximum_ratio,
+          "leave out curves that cut off too little: length^2 / (4 pi area) is greater than this; it is 0.5 for "
+          "the equator of a sphere")
       ->type_name("R")
       ->check(not_negative);
 }
 
 // Three numbers separated by commas.
-std::optional<std::array<double, 3> > parse_location(const std::string& text)
+std::optional<std::array<double, 3>> parse_location(const std::string& text)
 {
   std::array<double, 3> location;
   const char *begin = text.data(), *const end = begin + text.size();
@@ -341,11 +351,13 @@ void add_batch_options(CLI::App& command, Options& options)
       ->type_name("LIST|DIR|MESH ...")
       ->required()
       ->check(not_empty);
-  command.add_option("-o", options.folder,
-                     "write the lines into DIR/results.jsonl; meshes that have a line there are passed over")
+  command
+      .add_option("-o", options.folder,
+                  "write the lines into DIR/results.jsonl; meshes that have a line there are passed over")
       ->type_name("DIR")
       ->check(not_empty);
-  command.add_option("-j", batch.limits.processes, "go through N meshes at a time; one for each processor if not given")
+  command
+      .add_option("-j", batch.limits.processes, "go through N meshes at a time; one for each processor if not given")
       ->type_name("N")
       ->check(CLI::Range(1, 500).description(""));
   command.add_option("--time-limit", batch.limits.seconds, "give up a mesh after this time; 3600 if not given")
@@ -360,7 +372,8 @@ void add_batch_options(CLI::App& command, Options& options)
   command
       .add_option_function<std::string>(
           "--slice", [&batch](const std::string& text) { batch.slice = *parse_slice(text); },
-          "take every N-th mesh only, from the I-th on, and write DIR/results.I-of-N.jsonl: for the tasks of a job array")
+          "take every N-th mesh only, from the I-th on, and write DIR/results.I-of-N.jsonl: for the tasks of a job "
+          "array")
       ->type_name("I/N")
       ->check(is_slice);
   add_reading(command, options.reading);

@@ -28,7 +28,12 @@ enum class Command
   CHECK
 };
 
-enum class Policy { GARLAND_HECKBERT, LINDSTROM_TURK, EDGE_LENGTH };
+enum class Policy
+{
+  GARLAND_HECKBERT,
+  LINDSTROM_TURK,
+  EDGE_LENGTH
+};
 
 /// Which of the curves that are found are reported. A threshold that was not given is the library's.
 struct Selection
@@ -46,7 +51,7 @@ struct Search
 {
   bool triangles_only = false; ///< seeds are non-face triangles, no others
   bool certifies = true;
-  std::optional<std::array<double, 3> > location; ///< near which, instead of everywhere
+  std::optional<std::array<double, 3>> location; ///< near which, instead of everywhere
 };
 
 /// Which constrictions cut the surface into parts, and what is written of these.

@@ -6,8 +6,9 @@
 /// The concept `ConstrictionDetectionVisitor` describes who is told of the progress of
 /// `CGAL::Surface_mesh_constrictions::detect_constrictions()`.
 ///
-/// The visitor is copied: let it point to what it changes. With `Parallel_tag` it is called by different threads, but by
-/// one at a time. A visitor cancels the detection by an exception, which the caller of `detect_constrictions()` gets:
+/// The visitor is copied: let it point to what it changes. With `Parallel_tag` it is called by different threads, but
+/// by one at a time. A visitor cancels the detection by an exception, which the caller of `detect_constrictions()`
+/// gets:
 /// \ref Surface_mesh_constrictions/follow_progress.cpp.
 ///
 /// \cgalRefines{CopyConstructible}

@@ -8,8 +8,8 @@
 ///
 /// A source is called once for each surface <i>T<sup>0</sup></i>, <i>T<sup>1</sup></i>, ..., <i>T<sup>n</sup></i>, from
 /// the finest to the coarsest, by one thread. So what it does on every level should touch the merged vertex only, and
-/// what is expensive should be done on one level, chosen by `CGAL::Surface_mesh_constrictions::is_level_with()`. Nothing
-/// that uses the seeds asks where they come from. The same surface has to give the same seeds.
+/// what is expensive should be done on one level, chosen by `CGAL::Surface_mesh_constrictions::is_level_with()`.
+/// Nothing that uses the seeds asks where they come from. The same surface has to give the same seeds.
 ///
 /// \cgalRefines{CopyConstructible}
 ///

@@ -20,9 +20,10 @@
 class ConstrictionSimplificationPolicies
 {
 public:
-  /// A type with the members `get_cost()` and `get_placement()`, as `CGAL::Surface_mesh_constrictions::Cost_and_placement`
-  /// and CGAL's `GarlandHeckbert_plane_policies` have them. They return models of CGAL's `GetCost`, of a class that can be
-  /// derived from, and `GetPlacement`, for edge profiles of `CGAL::Surface_mesh_constrictions::Simplification_mesh`.
+  /// A type with the members `get_cost()` and `get_placement()`, as
+  /// `CGAL::Surface_mesh_constrictions::Cost_and_placement` and CGAL's `GarlandHeckbert_plane_policies` have them. They
+  /// return models of CGAL's `GetCost`, of a class that can be derived from, and `GetPlacement`, for edge profiles of
+  /// `CGAL::Surface_mesh_constrictions::Simplification_mesh`.
   typedef unspecified_type Policies;
 
   /// returns the policies for a mesh that is about to be simplified; what is returned lives as long as its

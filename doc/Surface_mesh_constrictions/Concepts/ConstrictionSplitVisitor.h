@@ -4,8 +4,8 @@
 /// \cgalConcept
 ///
 /// The concept `ConstrictionSplitVisitor` describes who is told which elements of a mesh are split, and into what: the
-/// visitor of `CGAL::Surface_mesh_constrictions::split_along_constrictions()`. So properties of faces and edges can be handed
-/// on to their pieces.
+/// visitor of `CGAL::Surface_mesh_constrictions::split_along_constrictions()`. So properties of faces and edges can be
+/// handed on to their pieces.
 ///
 /// The names are those of the visitors of the corefinement in Polygon Mesh Processing. The visitor is copied: let it
 /// point to what it changes.

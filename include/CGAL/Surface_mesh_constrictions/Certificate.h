@@ -10,7 +10,11 @@ namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// A side of a curve, seen along its direction on the side of the surface that its normals point to.
-enum class Curve_side { LEFT, RIGHT };
+enum class Curve_side
+{
+  LEFT,
+  RIGHT
+};
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// What has been proved of a closed curve with exact arithmetic.
@@ -66,12 +70,12 @@ struct Sign_statistics
 struct Certificate
 {
   Certificate_verdict verdict = Certificate_verdict::NOT_COMPUTED; ///< what has been proved, or what is violated
-  std::size_t location = 0;       ///< of the violation, in `Constriction::locations()`
+  std::size_t location = 0;                                        ///< of the violation, in `Constriction::locations()`
   std::size_t other_location = 0; ///< where the curve comes to the same place again, if it crosses or touches itself
   Curve_side side = Curve_side::LEFT; ///< of the angle below pi, of the leak, or of the end of the edge at which an arc
                                       ///< that is not straight leaves its strip
-  double flat_band_width = 0;     ///< in the unit of the mesh's coordinates; 0 if there is no band
-  Sign_statistics signs;          ///< how the signs were decided
+  double flat_band_width = 0;         ///< in the unit of the mesh's coordinates; 0 if there is no band
+  Sign_statistics signs;              ///< how the signs were decided
 
   /// whether the curve is proved to be a constriction, strict or not
   bool is_certified() const

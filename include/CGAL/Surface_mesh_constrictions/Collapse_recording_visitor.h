@@ -20,8 +20,8 @@ namespace Surface_mesh_constrictions {
 /// What a `Collapse_recording_visitor` writes down.
 struct Collapse_record
 {
-  std::vector<Edge_collapse> collapses;    ///< in the order in which they were made
-  std::vector<Seed_curve> refused_seeds;   ///< non-face triangles on whose account a collapse was refused, each once
+  std::vector<Edge_collapse> collapses;  ///< in the order in which they were made
+  std::vector<Seed_curve> refused_seeds; ///< non-face triangles on whose account a collapse was refused, each once
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -47,33 +47,44 @@ public:
 
   /// does nothing
   template <class TriangleMesh>
-  void OnStarted(TriangleMesh&) {}
+  void OnStarted(TriangleMesh&)
+  {}
 
   /// does nothing
   template <class TriangleMesh>
-  void OnFinished(TriangleMesh&) {}
+  void OnFinished(TriangleMesh&)
+  {}
 
   /// records the seeds of the edge that was selected last.
   /// \cost quadratic in the degree of the edge's ends
   template <class Profile>
-  void OnStopConditionReached(const Profile& profile) { note_seeds(profile); }
+  void OnStopConditionReached(const Profile& profile)
+  {
+    note_seeds(profile);
+  }
 
   /// does nothing
   template <class Profile, class OptionalCost>
-  void OnCollected(const Profile&, const OptionalCost&) {}
+  void OnCollected(const Profile&, const OptionalCost&)
+  {}
 
   /// does nothing
   template <class Profile, class OptionalCost, class Size>
-  void OnSelected(const Profile&, const OptionalCost&, Size, Size) {}
+  void OnSelected(const Profile&, const OptionalCost&, Size, Size)
+  {}
 
   /// does nothing
   template <class Profile, class OptionalPoint>
-  void OnCollapsing(const Profile&, const OptionalPoint&) {}
+  void OnCollapsing(const Profile&, const OptionalPoint&)
+  {}
 
   /// records the seeds of the edge whose collapse is refused.
   /// \cost quadratic in the degree of the edge's ends
   template <class Profile>
-  void OnNonCollapsable(const Profile& profile) { note_seeds(profile); }
+  void OnNonCollapsable(const Profile& profile)
+  {
+    note_seeds(profile);
+  }
 
   // Not OnCollapsing: edges of length zero are collapsed without it, and only here the kept vertex is known.
   /// records the collapse.
@@ -89,7 +100,10 @@ public:
 
 private:
   template <class Vertex>
-  Index index(const Vertex& v) const { return static_cast<Index>(get(m_vim, v)); }
+  Index index(const Vertex& v) const
+  {
+    return static_cast<Index>(get(m_vim, v));
+  }
 
   template <class Profile>
   void note_seeds(const Profile& profile)
@@ -110,7 +124,7 @@ private:
   Collapse_record* m_record;
   VertexIndexMap m_vim;
   bool m_with_refused_seeds;
-  std::set<std::array<Index, 3> > m_known;
+  std::set<std::array<Index, 3>> m_known;
 };
 
 } // namespace Surface_mesh_constrictions

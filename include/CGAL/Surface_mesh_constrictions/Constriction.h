@@ -51,7 +51,7 @@ public:
 
   /// A face and barycentric coordinates with respect to `source(h)`, `target(h)` and `target(next(h))` of its halfedge
   /// `h`, as in Polygon Mesh Processing and Surface Mesh Shortest Paths.
-  typedef std::pair<face_descriptor, std::array<double, 3> > Face_location;
+  typedef std::pair<face_descriptor, std::array<double, 3>> Face_location;
 
   /// One point of the curve: a vertex that it passes through, or the crossing of a halfedge from its face to the
   /// opposite face, at `source + parameter * (target - source)`.
@@ -67,9 +67,9 @@ public:
   struct Pivot
   {
     vertex_descriptor vertex; ///< of the mesh
-    std::size_t location; ///< its place in `locations()`
-    double left_angle;    ///< radians, along the surface, on the left of the curve's direction; infinite to a hole
-    double right_angle;   ///< radians, along the surface, on the right of the curve's direction; infinite to a hole
+    std::size_t location;     ///< its place in `locations()`
+    double left_angle;        ///< radians, along the surface, on the left of the curve's direction; infinite to a hole
+    double right_angle;       ///< radians, along the surface, on the right of the curve's direction; infinite to a hole
   };
 
   /// A seed curve that led to the constriction, in vertices of the input mesh. A vertex of T^level that several input
@@ -84,28 +84,28 @@ public:
   /// Everything that is known of the curve, for those who make one themselves, as for `certify_constriction()`.
   struct Data
   {
-    std::vector<Location> locations;                ///< see `Constriction::locations()`
-    std::vector<Pivot> pivots;                      ///< see `Constriction::pivots()`
-    std::vector<Seed> seeds;                        ///< see `Constriction::seeds()`
-    double length = 0;                              ///< see `Constriction::length()`
-    double flat_band_width = 0;                     ///< see `Constriction::flat_band_width()`
-    bool separating = false;                        ///< see `Constriction::is_separating()`
-    std::vector<std::size_t> homology_class;        ///< see `Constriction::homology_class()`
-    std::array<double, 2> areas = {0, 0};           ///< see `Constriction::areas()`
-    std::array<std::size_t, 2> genera = {0, 0};     ///< see `Constriction::genera()`
-    double isoperimetric_ratio = 0;                 ///< see `Constriction::isoperimetric_ratio()`
-    double roundness = 0;                           ///< see `Constriction::roundness()`
-    Side side = Side::MIXED;                        ///< see `Constriction::side()`
-    bool rim = false;                               ///< see `Constriction::is_rim()`
-    double boundary_share = 0;                      ///< see `Constriction::boundary_share()`
-    Certificate certificate;                        ///< see `Constriction::certificate()`
+    std::vector<Location> locations;                              ///< see `Constriction::locations()`
+    std::vector<Pivot> pivots;                                    ///< see `Constriction::pivots()`
+    std::vector<Seed> seeds;                                      ///< see `Constriction::seeds()`
+    double length = 0;                                            ///< see `Constriction::length()`
+    double flat_band_width = 0;                                   ///< see `Constriction::flat_band_width()`
+    bool separating = false;                                      ///< see `Constriction::is_separating()`
+    std::vector<std::size_t> homology_class;                      ///< see `Constriction::homology_class()`
+    std::array<double, 2> areas = {0, 0};                         ///< see `Constriction::areas()`
+    std::array<std::size_t, 2> genera = {0, 0};                   ///< see `Constriction::genera()`
+    double isoperimetric_ratio = 0;                               ///< see `Constriction::isoperimetric_ratio()`
+    double roundness = 0;                                         ///< see `Constriction::roundness()`
+    Side side = Side::MIXED;                                      ///< see `Constriction::side()`
+    bool rim = false;                                             ///< see `Constriction::is_rim()`
+    double boundary_share = 0;                                    ///< see `Constriction::boundary_share()`
+    Certificate certificate;                                      ///< see `Constriction::certificate()`
     double prominence = std::numeric_limits<double>::quiet_NaN(); ///< see `Constriction::prominence()`
     double isolation = std::numeric_limits<double>::quiet_NaN();  ///< see `Constriction::isolation()`
-    std::optional<std::size_t> dominated_by;        ///< see `Constriction::dominated_by()`
-    std::optional<vertex_descriptor> slides_off;    ///< see `Constriction::slides_off()`
-    std::vector<std::size_t> crosses;               ///< see `Constriction::crosses()`
-    std::vector<std::size_t> crosses_oddly;         ///< see `Constriction::crosses_oddly()`
-    std::vector<std::size_t> rivals;                ///< see `Constriction::rivals()`
+    std::optional<std::size_t> dominated_by;                      ///< see `Constriction::dominated_by()`
+    std::optional<vertex_descriptor> slides_off;                  ///< see `Constriction::slides_off()`
+    std::vector<std::size_t> crosses;                             ///< see `Constriction::crosses()`
+    std::vector<std::size_t> crosses_oddly;                       ///< see `Constriction::crosses_oddly()`
+    std::vector<std::size_t> rivals;                              ///< see `Constriction::rivals()`
   };
 
   /// an empty curve
@@ -174,8 +174,8 @@ public:
   double prominence() const { return m_data->prominence; }
 
   /// the area that the curve must sweep at least to become the one that it is `dominated_by()`, divided by the squared
-  /// length of the curve; infinite if it is dominated by none, or by one of another homology class. Of mountains that is
-  /// how far one must go to a higher place. NaN if it has not been computed.
+  /// length of the curve; infinite if it is dominated by none, or by one of another homology class. Of mountains that
+  /// is how far one must go to a higher place. NaN if it has not been computed.
   double isolation() const { return m_data->isolation; }
 
   /// the constriction that the curve slides to when it is made longer by its prominence, given by its place in the

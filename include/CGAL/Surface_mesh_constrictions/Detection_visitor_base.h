@@ -14,18 +14,18 @@ namespace Surface_mesh_constrictions {
 /// `not_certified`, `merged`, `not_selected` or as the first seed of a returned curve.
 struct Detection_statistics
 {
-  std::size_t collapses = 0;    ///< edge collapses of the simplification
-  std::size_t seeds = 0;        ///< seed curves of the sources
-  std::size_t barriers = 0;     ///< further seeds: what a constriction becomes that is moved over its lowest barrier
-  std::size_t degenerate = 0;   ///< seeds that shortened to a point
-  std::size_t discarded = 0;    ///< seeds given up on a coarse level, where they lead to what would not be selected
-  std::size_t not_simple = 0;   ///< seeds that ended in a curve that crosses or touches itself
-  std::size_t merged = 0;       ///< seeds that ended in a curve that another seed had found
-  std::size_t not_selected = 0; ///< distinct closed geodesics that were found and are not returned
-  std::size_t leaky_bands = 0;  ///< times a curve slipped out of a flat band that leaks, and went on shortening
+  std::size_t collapses = 0;     ///< edge collapses of the simplification
+  std::size_t seeds = 0;         ///< seed curves of the sources
+  std::size_t barriers = 0;      ///< further seeds: what a constriction becomes that is moved over its lowest barrier
+  std::size_t degenerate = 0;    ///< seeds that shortened to a point
+  std::size_t discarded = 0;     ///< seeds given up on a coarse level, where they lead to what would not be selected
+  std::size_t not_simple = 0;    ///< seeds that ended in a curve that crosses or touches itself
+  std::size_t merged = 0;        ///< seeds that ended in a curve that another seed had found
+  std::size_t not_selected = 0;  ///< distinct closed geodesics that were found and are not returned
+  std::size_t leaky_bands = 0;   ///< times a curve slipped out of a flat band that leaks, and went on shortening
   std::size_t not_certified = 0; ///< seeds that ended in a curve that was left out as it is not certified
-  std::size_t corrected = 0;    ///< curves whose combinatorics rounding had got wrong, put right by exact arithmetic
-  Sign_statistics signs;        ///< how the signs were decided that the certificates rest on
+  std::size_t corrected = 0;     ///< curves whose combinatorics rounding had got wrong, put right by exact arithmetic
+  Sign_statistics signs;         ///< how the signs were decided that the certificates rest on
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef

@@ -13,25 +13,24 @@ namespace Surface_mesh_constrictions {
 /// What keeps a mesh, or a loop on it, from being used.
 enum class Input_defect
 {
-  EMPTY_MESH,                ///< no face
-  TOO_LARGE,                 ///< more elements than 32-bit indices can name
-  NOT_TRIANGULAR,            ///< a face with other than three vertices
-  INVALID_VERTEX_INDEX,      ///< a face, or a loop, names a vertex that does not exist
-  NON_FINITE_COORDINATE,     ///< a coordinate that is NaN or infinite
-  ZERO_LENGTH_EDGE,          ///< a face with two vertices at the same position, or the same vertex twice
-  NON_MANIFOLD_EDGE,         ///< an edge with more than two faces, or two edges with the same ends
-  INCONSISTENT_ORIENTATION,  ///< two faces that run along their common edge in the same direction
-  NOT_CLOSED,                ///< an edge with one face only, where the surface has to be closed
-  NON_MANIFOLD_VERTEX,       ///< a vertex with more than one fan of faces
-  INVALID_LOOP,              ///< a loop that is not a closed path of mesh edges
-  IRRATIONAL_COORDINATE      ///< a coordinate of an exact kernel that is not a rational number of moderate size
+  EMPTY_MESH,               ///< no face
+  TOO_LARGE,                ///< more elements than 32-bit indices can name
+  NOT_TRIANGULAR,           ///< a face with other than three vertices
+  INVALID_VERTEX_INDEX,     ///< a face, or a loop, names a vertex that does not exist
+  NON_FINITE_COORDINATE,    ///< a coordinate that is NaN or infinite
+  ZERO_LENGTH_EDGE,         ///< a face with two vertices at the same position, or the same vertex twice
+  NON_MANIFOLD_EDGE,        ///< an edge with more than two faces, or two edges with the same ends
+  INCONSISTENT_ORIENTATION, ///< two faces that run along their common edge in the same direction
+  NOT_CLOSED,               ///< an edge with one face only, where the surface has to be closed
+  NON_MANIFOLD_VERTEX,      ///< a vertex with more than one fan of faces
+  INVALID_LOOP,             ///< a loop that is not a closed path of mesh edges
+  IRRATIONAL_COORDINATE     ///< a coordinate of an exact kernel that is not a rational number of moderate size
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Thrown by every function of this package that is given a mesh or a loop that it cannot use.
 /// The message says what is wrong, and where, in one line.
-class Invalid_input
-  : public std::invalid_argument
+class Invalid_input : public std::invalid_argument
 {
 public:
   /// \param defect the kind of defect

@@ -22,8 +22,8 @@ namespace Surface_mesh_constrictions {
 /// An edge collapse: the vertex `removed` is merged into its neighbour `kept`, which moves to `point`.
 struct Edge_collapse
 {
-  Index removed; ///< the vertex that is merged into the other one
-  Index kept;    ///< the vertex that is left
+  Index removed;                                                ///< the vertex that is merged into the other one
+  Index kept;                                                   ///< the vertex that is left
   Exact_predicates_inexact_constructions_kernel::Point_3 point; ///< where `kept` is after the collapse
 };
 
@@ -70,9 +70,7 @@ public:
   /// \param table the connectivity of T^0
   /// \param points the position of each of its vertices
   Progressive_mesh(internal::Corner_table table, std::vector<Point> points)
-    : m_table(std::move(table)),
-      m_points(std::move(points)),
-      m_vertex_end(m_points.size(), null_index),
+    : m_table(std::move(table)), m_points(std::move(points)), m_vertex_end(m_points.size(), null_index),
       m_face_end(m_table.halfedges.size() / 3, null_index)
   {
     for(std::size_t v = 0; v < m_points.size() && v < m_table.first_ghost_vertex; ++v)
@@ -161,10 +159,14 @@ public:
     glue(x.b, prev(s.left));
     glue(x.a, next(s.left));
 
-    if(record.outgoing & 8u) m_table.outgoing[source(prev(s.right))] = prev(s.right);
-    if(record.outgoing & 4u) m_table.outgoing[source(prev(s.left))] = prev(s.left);
-    if(record.outgoing & 2u) m_table.outgoing[s.kept] = s.right;
-    if(record.outgoing & 1u) m_table.outgoing[s.kept] = next(s.left);
+    if(record.outgoing & 8u)
+      m_table.outgoing[source(prev(s.right))] = prev(s.right);
+    if(record.outgoing & 4u)
+      m_table.outgoing[source(prev(s.left))] = prev(s.left);
+    if(record.outgoing & 2u)
+      m_table.outgoing[s.kept] = s.right;
+    if(record.outgoing & 1u)
+      m_table.outgoing[s.kept] = next(s.left);
 
     for(Index r = x.b; r != next(s.right); r = ccw(r))
       m_table.halfedges[r].source = s.removed;
@@ -221,10 +223,7 @@ public:
   /// whether the mesh has a boundary
   bool has_boundary() const { return m_table.first_ghost_vertex != null_index; }
   /// the number of holes, each of which has one ghost vertex
-  std::size_t number_of_holes() const
-  {
-    return has_boundary() ? m_points.size() - m_table.first_ghost_vertex : 0;
-  }
+  std::size_t number_of_holes() const { return has_boundary() ? m_points.size() - m_table.first_ghost_vertex : 0; }
   /// whether `v` is the ghost vertex of a hole
   bool is_ghost_vertex(Index v) const { return v >= m_table.first_ghost_vertex; }
   /// whether `f` is a face of a ghost vertex
@@ -301,7 +300,8 @@ public:
   {
     const Index begin = outgoing(u);
     Index h = begin;
-    do {
+    do
+    {
       if(target(h) == v)
         return h;
       h = ccw(h);
@@ -376,8 +376,8 @@ private:
   internal::Corner_table m_table;
   std::vector<Point> m_points;
   std::vector<Record> m_records;
-  std::vector<Index> m_vertex_end; // the last level that has the vertex, null_index if all have
-  std::vector<Index> m_face_end;   // the last level that has the face, null_index if all have
+  std::vector<Index> m_vertex_end;      // the last level that has the vertex, null_index if all have
+  std::vector<Index> m_face_end;        // the last level that has the face, null_index if all have
   std::size_t m_number_of_vertices = 0; // of T^0
   std::size_t m_level = 0;
 };

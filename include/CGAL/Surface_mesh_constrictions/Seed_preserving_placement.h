@@ -18,8 +18,7 @@ namespace Surface_mesh_constrictions {
 ///
 /// \tparam BasePlacement a model of `GetPlacement`
 template <class BasePlacement>
-class Seed_preserving_placement
-  : private BasePlacement
+class Seed_preserving_placement : private BasePlacement
 {
 public:
   /// \param base the placement that is asked for all other edges

@@ -23,8 +23,8 @@ enum class Arc_refusal
 /// What `verify_with_shortest_paths()` found.
 struct Shortest_path_verification
 {
-  std::size_t number_of_arcs = 0;         ///< each has been looked at in a patch of its own
-  std::size_t number_of_refused_arcs = 0; ///< those that are not confirmed
+  std::size_t number_of_arcs = 0;          ///< each has been looked at in a patch of its own
+  std::size_t number_of_refused_arcs = 0;  ///< those that are not confirmed
   Arc_refusal refusal = Arc_refusal::NONE; ///< of the first refused arc; `NONE` if all are confirmed
   std::size_t refused_location = 0;        ///< in `locations()`, inside the first refused arc
   double greatest_excess = 0;              ///< of an arc over the shortest path, as a share of the arc's length

@@ -104,8 +104,7 @@ public:
 
   /// Goes over the elements that are not removed, in the order of their numbers. Bidirectional.
   template <class D>
-  class Iterator
-    : public boost::iterator_facade<Iterator<D>, D, boost::bidirectional_traversal_tag, D>
+  class Iterator : public boost::iterator_facade<Iterator<D>, D, boost::bidirectional_traversal_tag, D>
   {
   public:
     /// of no mesh
@@ -166,7 +165,10 @@ public:
   /// the vertices that are not removed
   Iterator_range<Vertex_iterator> vertices() const { return range<Vertex_index>(m_removed_vertices, num_vertices()); }
   /// the halfedges that are not removed
-  Iterator_range<Halfedge_iterator> halfedges() const { return range<Halfedge_index>(m_removed_edges, num_halfedges()); }
+  Iterator_range<Halfedge_iterator> halfedges() const
+  {
+    return range<Halfedge_index>(m_removed_edges, num_halfedges());
+  }
   /// the edges that are not removed
   Iterator_range<Edge_iterator> edges() const { return range<Edge_index>(m_removed_edges, num_edges()); }
   /// the faces that are not removed
@@ -273,7 +275,7 @@ private:
   };
 
   template <class D>
-  static Iterator_range<Iterator<D> > range(const std::vector<bool>& is_removed, std::size_t n)
+  static Iterator_range<Iterator<D>> range(const std::vector<bool>& is_removed, std::size_t n)
   {
     return make_range(Iterator<D>(is_removed, 0), Iterator<D>(is_removed, n));
   }

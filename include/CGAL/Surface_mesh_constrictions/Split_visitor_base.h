@@ -18,9 +18,9 @@ namespace Surface_mesh_constrictions {
 template <class TriangleMesh>
 struct Split_visitor_base
 {
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;       ///< vertices
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;     ///< vertices
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor; ///< halfedges
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;             ///< faces
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;         ///< faces
 
   /// called when an edge has been split: `h` ends at the new vertex, which has its point, and `next(h, tm)` is the old
   /// halfedge. If it is crossed several times it is called for each, from the source of the old halfedge to its target.

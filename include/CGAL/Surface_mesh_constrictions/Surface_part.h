@@ -19,7 +19,8 @@ struct Surface_part
 
   /// signed: positive if the normals point out, negative if the part encloses what is outside of the solid, as the wall
   /// of a pocket. Each boundary curve is closed by the cone from the curve to its centre of mass, or to the common one
-  /// of all curves that touch each other. The cones on the two sides of a curve cancel, so that volumes of parts add up.
+  /// of all curves that touch each other. The cones on the two sides of a curve cancel, so that volumes of parts add
+  /// up.
   double volume;
 
   std::size_t genus;                ///< after its boundary curves have been closed by discs

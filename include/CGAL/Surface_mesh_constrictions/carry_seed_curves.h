@@ -62,8 +62,8 @@ OutputIterator carry_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& 
                                  const Carrying_parameters& parameters, OutputIterator out, Visitor& visitor)
 {
   std::vector<Seed_curve> curves;
-  std::vector<std::vector<std::size_t> > stands_for; // seeds of a curve
-  std::vector<std::size_t> boundaries;               // of T^0
+  std::vector<std::vector<std::size_t>> stands_for; // seeds of a curve
+  std::vector<std::size_t> boundaries;              // of T^0
   for(std::size_t i = 0; i < seeds.size(); ++i)
     if(seeds[i].origin == Seed_origin::BOUNDARY && seeds[i].level == 0)
       boundaries.push_back(i);
@@ -84,7 +84,7 @@ OutputIterator carry_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& 
     }
     visitor.on_level(level);
     std::vector<Seed_curve> kept;
-    std::vector<std::vector<std::size_t> > kept_for;
+    std::vector<std::vector<std::size_t>> kept_for;
     for(Merged_seed& m : merged)
     {
       std::vector<std::size_t> its_seeds;

@@ -86,9 +86,9 @@ Certificate certify_constriction_checked(const TriangleMesh& tm, const Constrict
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(CGAL::vertex_point, tm));
-  typedef internal::Graph_surface<TriangleMesh, std::decay_t<decltype(vpm)> > Surface;
+  const auto vpm =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
+  typedef internal::Graph_surface<TriangleMesh, std::decay_t<decltype(vpm)>> Surface;
 
   const Surface surface(tm, vpm);
   internal::Certifier<Surface> certifier(surface);

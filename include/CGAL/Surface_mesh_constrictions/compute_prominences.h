@@ -68,7 +68,7 @@ inline void level_endless(const std::vector<double>& lengths, std::vector<Hierar
 
 // For each of some simple closed geodesics of T^0 the others that it crosses there and back and that are shorter.
 // Those for which `is_known` is not set are not looked for. Linear in the mesh, plus the curves that each crosses.
-inline Earlier_curves crossed_evenly(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces,
+inline Earlier_curves crossed_evenly(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point>>& traces,
                                      const std::vector<double>& lengths, const std::vector<bool>& is_known)
 {
   Earlier_curves result(traces.size());
@@ -86,13 +86,12 @@ inline Earlier_curves crossed_evenly(const Progressive_mesh& pm, const std::vect
   return result;
 }
 
-// Gives constrictions of T^0, of which these are the traces, their places in the hierarchy, and which of the others they
-// cross.
+// Gives constrictions of T^0, of which these are the traces, their places in the hierarchy, and which of the others
+// they cross.
 template <class TriangleMesh>
 void set_prominences(const Progressive_mesh& pm, const Surface_sides& sides,
-                     const Imported_mesh<TriangleMesh>& imported,
-                     const std::vector<std::vector<Trace_point> >& traces, std::vector<Hierarchy_entry> entries,
-                     std::vector<Constriction<TriangleMesh> >& constrictions)
+                     const Imported_mesh<TriangleMesh>& imported, const std::vector<std::vector<Trace_point>>& traces,
+                     std::vector<Hierarchy_entry> entries, std::vector<Constriction<TriangleMesh>>& constrictions)
 {
   typedef typename Constriction<TriangleMesh>::Data Data;
   std::vector<Data> data;
@@ -115,15 +114,15 @@ void set_prominences(const Progressive_mesh& pm, const Surface_sides& sides,
   {
     data[i].prominence = entries[i].prominence;
     data[i].dominated_by = entries[i].dominated_by;
-    data[i].isolation = data[i].dominated_by ? isolation_from(i, *data[i].dominated_by)
-                                             : (std::numeric_limits<double>::infinity)();
+    data[i].isolation =
+        data[i].dominated_by ? isolation_from(i, *data[i].dominated_by) : (std::numeric_limits<double>::infinity)();
     data[i].slides_off.reset();
     if(entries[i].slides_off != null_index)
       data[i].slides_off = imported.vertex(entries[i].slides_off);
     is_known.push_back(entries[i].prominence >= negligible_prominence);
   }
   const Earlier_curves crossed = crossed_evenly(pm, traces, lengths, is_known);
-  std::vector<std::vector<Trace_point> > their_traces;
+  std::vector<std::vector<Trace_point>> their_traces;
   for(Index i : by_length(lengths))
   {
     data[i].crosses.assign(crossed[i].begin(), crossed[i].end());
@@ -184,7 +183,7 @@ inline std::vector<Arc> arcs_of_trace(const Progressive_mesh& pm, const std::vec
 // The hierarchy of simple closed geodesics of T^0 among each other: what is not among them is followed on to what it
 // slides to.
 inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm, const Surface_sides& sides,
-                                              const std::vector<std::vector<Trace_point> >& traces)
+                                              const std::vector<std::vector<Trace_point>>& traces)
 {
   Slides slides(pm, sides);
   std::vector<Index> numbers;
@@ -211,15 +210,15 @@ inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm, const 
 
 // The points of constrictions of a mesh on its copy.
 template <class TriangleMesh, class VertexIndexMap>
-std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<TriangleMesh> >& constrictions,
-                                                 const Imported_mesh<TriangleMesh>& imported, VertexIndexMap vim,
-                                                 const Progressive_mesh& pm)
+std::vector<std::vector<Trace_point>> traces_of(const std::vector<Constriction<TriangleMesh>>& constrictions,
+                                                const Imported_mesh<TriangleMesh>& imported, VertexIndexMap vim,
+                                                const Progressive_mesh& pm)
 {
   std::unordered_map<std::size_t, Index> index;
   for(Index v = 0; v < imported.number_of_vertices(); ++v)
     index.emplace(get(vim, imported.vertex(v)), v);
   const TriangleMesh& tm = imported.mesh();
-  std::vector<std::vector<Trace_point> > traces;
+  std::vector<std::vector<Trace_point>> traces;
   for(const Constriction<TriangleMesh>& c : constrictions)
   {
     std::vector<Trace_point> trace;
@@ -227,10 +226,10 @@ std::vector<std::vector<Trace_point> > traces_of(const std::vector<Constriction<
       if(l.is_pivot)
         trace.push_back({index.at(get(vim, l.vertex)), null_index, 0});
       else
-        trace.push_back({null_index,
-                         pm.halfedge(index.at(get(vim, source(l.halfedge, tm))),
-                                     index.at(get(vim, target(l.halfedge, tm)))),
-                         l.parameter});
+        trace.push_back(
+            {null_index,
+             pm.halfedge(index.at(get(vim, source(l.halfedge, tm))), index.at(get(vim, target(l.halfedge, tm)))),
+             l.parameter});
     traces.push_back(std::move(trace));
   }
   return traces;
@@ -250,23 +249,23 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
 /// to where it is shorter: to a shorter constriction of the set, to one that is not in the set, or off over a point. It
 /// is \f$b/L - 1\f$, where *L* is the length of the curve and *b* its lowest *barrier*: the greatest length on the way.
 ///
-/// From the curve both sides are swept by the level sets of the distance to it. What has been swept on a side is bounded
-/// by closed curves that together are homologous to the curve. Now and then they are tightened: as long as they have not
-/// got over the pass they do not become shorter than *L*, behind it they do. The barrier of the side is the greatest
-/// length up to the first level behind the pass. The side whose barrier is lower so far is swept on, and nothing is
-/// swept that is higher than the lowest barrier.
+/// From the curve both sides are swept by the level sets of the distance to it. What has been swept on a side is
+/// bounded by closed curves that together are homologous to the curve. Now and then they are tightened: as long as they
+/// have not got over the pass they do not become shorter than *L*, behind it they do. The barrier of the side is the
+/// greatest length up to the first level behind the pass. The side whose barrier is lower so far is swept on, and
+/// nothing is swept that is higher than the lowest barrier.
 ///
-/// This is an upper bound of the least barrier over all ways on which the curve may split into several: the curve can be
-/// moved through the level sets, and tightening only shortens. The lengths are exact but for rounding, whatever the
-/// error of the distances, which come from fast marching and are right to first order in the size of the faces. They are
-/// sampled at 256 level sets on the first stretch of length *L*.
+/// This is an upper bound of the least barrier over all ways on which the curve may split into several: the curve can
+/// be moved through the level sets, and tightening only shortens. The lengths are exact but for rounding, whatever the
+/// error of the distances, which come from fast marching and are right to first order in the size of the faces. They
+/// are sampled at 256 level sets on the first stretch of length *L*.
 ///
 /// What a curve becomes behind the pass is its end: `Constriction::dominated_by()`, or the point where it
-/// `Constriction::slides_off()`. A curve that is not in the set is followed on to what it slides to. From one to the one
-/// that dominates it lengths do not grow, and of two of equal length always the same one stands for both, so that the way
-/// along `Constriction::dominated_by()` ends. A curve that does not separate may have no end: it cannot become shorter.
-/// Its prominence tells how long it is when its sides, swept, have met; of several of the same length it is the least
-/// of these values.
+/// `Constriction::slides_off()`. A curve that is not in the set is followed on to what it slides to. From one to the
+/// one that dominates it lengths do not grow, and of two of equal length always the same one stands for both, so that
+/// the way along `Constriction::dominated_by()` ends. A curve that does not separate may have no end: it cannot become
+/// shorter. Its prominence tells how long it is when its sides, swept, have met; of several of the same length it is
+/// the least of these values.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam ConstrictionRange a range of `Constriction<TriangleMesh>`
@@ -319,15 +318,15 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(CGAL::vertex_point, tm));
+  const auto vpm =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
 
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();
   const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
-  std::vector<Constriction<TriangleMesh> > result(constrictions.begin(), constrictions.end());
-  const std::vector<std::vector<internal::Trace_point> > traces = internal::traces_of(result, imported, vim, pm);
+  std::vector<Constriction<TriangleMesh>> result(constrictions.begin(), constrictions.end());
+  const std::vector<std::vector<internal::Trace_point>> traces = internal::traces_of(result, imported, vim, pm);
   const internal::Surface_sides sides(pm);
   internal::set_prominences(pm, sides, imported, traces, internal::hierarchy(pm, sides, traces), result);
   return std::move(result.begin(), result.end(), out);

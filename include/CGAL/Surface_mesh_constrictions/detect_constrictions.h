@@ -229,8 +229,8 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
 
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(CGAL::vertex_point, tm));
+  const auto vpm =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Detection_visitor_base());
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
@@ -249,8 +249,8 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
       [&](const auto&... policies) {
         static_assert(sizeof...(policies) > 0, "simplification_policies is empty");
         std::size_t left = sizeof...(policies);
-        (surface.emplace(internal::carry_seeds_to_input<ConcurrencyTag>(imported, --left == 0, policies, np, visitor,
-                                                                        carried)),
+        (surface.emplace(
+             internal::carry_seeds_to_input<ConcurrencyTag>(imported, --left == 0, policies, np, visitor, carried)),
          ...);
       },
       internal::policies_asked_for(np));
@@ -288,17 +288,15 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 
   visitor.on_stage_begin(Detection_stage::SELECTION, found.size());
   internal::Detected_hierarchy hierarchy(pm, sides, network);
-  const std::size_t passed =
-      hierarchy.close<ConcurrencyTag>(found, refined, seeds, [&](std::vector<internal::Found_curve>& curves) {
-        certify(curves, [](std::size_t) {});
-      });
+  const std::size_t passed = hierarchy.close<ConcurrencyTag>(
+      found, refined, seeds, [&](std::vector<internal::Found_curve>& curves) { certify(curves, [](std::size_t) {}); });
   statistics.barriers = static_cast<std::size_t>(std::count_if(
       seeds.begin(), seeds.end(), [](const Seed_curve& seed) { return seed.origin == Seed_origin::BARRIER; }));
   statistics.seeds = seeds.size() - statistics.barriers;
   statistics.barriers -= passed;
   internal::Constriction_maker<TriangleMesh> maker(imported, pm, sides);
-  std::vector<Constriction<TriangleMesh> > constrictions, selected;
-  std::vector<std::vector<internal::Trace_point> > traces;
+  std::vector<Constriction<TriangleMesh>> constrictions, selected;
+  std::vector<std::vector<internal::Trace_point>> traces;
   for(const internal::Found_curve& f : found)
   {
     std::vector<Seed_curve> its_seeds;

@@ -131,16 +131,16 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
   const double minimum_prominence = choose_parameter(get_parameter(np, internal_np::minimum_prominence), 0.0);
   const double minimum_isolation = choose_parameter(get_parameter(np, internal_np::minimum_isolation), 0.0);
 
-  const internal::Query_location<TriangleMesh, std::decay_t<decltype(vpm)> > query(tm, vpm, location);
+  const internal::Query_location<TriangleMesh, std::decay_t<decltype(vpm)>> query(tm, vpm, location);
   const Index nearest = query.nearest_vertex();
-  typedef internal::Statistics_keeper<std::decay_t<decltype(visitor)> > Keeper;
+  typedef internal::Statistics_keeper<std::decay_t<decltype(visitor)>> Keeper;
   Detection_statistics statistics;
-  const Named_function_parameters<Keeper, internal_np::visitor_t, NamedParameters> kept(
-      Keeper{visitor, statistics}, np);
+  const Named_function_parameters<Keeper, internal_np::visitor_t, NamedParameters> kept(Keeper{visitor, statistics},
+                                                                                        np);
   const auto selection = parameters::minimum_prominence(
       minimum_prominence,
       parameters::minimum_isolation(minimum_isolation, parameters::maximum_number_of_constrictions(no_limit, kept)));
-  std::vector<Constriction<TriangleMesh> > found;
+  std::vector<Constriction<TriangleMesh>> found;
   detect_constrictions_checked<ConcurrencyTag>(
       tm, std::back_inserter(found),
       parameters::seed_sources(Seed_sources(Local_cut_locus_seeds(nearest), Local_boundary_seeds(nearest)),
@@ -156,7 +156,7 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
                    [&nearness](std::size_t i, std::size_t j) { return nearness[i] < nearness[j]; });
-  const std::vector<Constriction<TriangleMesh> > result = internal::reordered(found, order, maximum_number);
+  const std::vector<Constriction<TriangleMesh>> result = internal::reordered(found, order, maximum_number);
 
   statistics.not_selected += found.size() - result.size();
   visitor.on_end(statistics);

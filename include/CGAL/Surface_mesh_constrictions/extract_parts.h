@@ -47,9 +47,8 @@ struct Part_cap
 
 namespace internal {
 
-struct Extraction_parameters
-  : Point_parameters::With<internal_np::with_caps_t, internal_np::with_filled_holes_t,
-                           internal_np::cap_output_iterator_t>
+struct Extraction_parameters : Point_parameters::With<internal_np::with_caps_t, internal_np::with_filled_holes_t,
+                                                      internal_np::cap_output_iterator_t>
 {};
 
 template <class TriangleMesh, class NamedParameters>

@@ -88,7 +88,7 @@ inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::
       break;
   }
   std::vector<Merged_seed> paths;
-  std::unordered_map<Path, std::size_t, boost::hash<Path> > known;
+  std::unordered_map<Path, std::size_t, boost::hash<Path>> known;
   for(std::size_t i = 0; i < number_carried; ++i)
   {
     Path path = carried.path(i);
@@ -174,9 +174,9 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& 
     seeds.push_back(paths.back().curve);
     return paths.size() - 1;
   };
-  const std::vector<Index> asked = internal::curves_asked_for<ConcurrencyTag>(
-      network, sides, parameters.maximum_isoperimetric_ratio, parameters.minimum_prominence, parameters.crossing,
-      add_seed);
+  const std::vector<Index> asked =
+      internal::curves_asked_for<ConcurrencyTag>(network, sides, parameters.maximum_isoperimetric_ratio,
+                                                 parameters.minimum_prominence, parameters.crossing, add_seed);
   for(Index c = 0; c < network.number_of_curve_ids(); ++c)
   {
     if(network.is_empty(c))
@@ -188,7 +188,7 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& 
         give_up(i, Merging_verdict::DISCARDED);
       continue;
     }
-    std::vector<std::pair<double, std::size_t> > equal; // lengths and numbers of paths
+    std::vector<std::pair<double, std::size_t>> equal; // lengths and numbers of paths
     for(std::size_t i : ends_here)
       equal.emplace_back(internal::length_of_path(pm, paths[i].curve.vertices), i);
     std::sort(equal.begin(), equal.end());
@@ -205,8 +205,7 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& 
       }
       if(parameters.tight)
       {
-        Path path =
-            internal::path_beside_curve(surface, internal::trace(surface, internal::arcs_of_curve(network, c)));
+        Path path = internal::path_beside_curve(surface, internal::trace(surface, internal::arcs_of_curve(network, c)));
         for(Index& v : path)
           v = level_copy.original(v);
         if(path.size() > 2)

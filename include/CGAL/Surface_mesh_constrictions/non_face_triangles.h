@@ -33,14 +33,16 @@ OutputIterator non_face_triangles(const Progressive_mesh& pm, OutputIterator out
     // u < v < w: u v is an edge, w a neighbour of v that is also one of u
     const Index begin = pm.outgoing(u);
     Index uv = begin;
-    do {
+    do
+    {
       const Index v = pm.target(uv);
       if(u < v && !pm.is_ghost_vertex(v))
       {
         const Index left = pm.target(pm.next(uv)), right = pm.target(pm.next(pm.opposite(uv)));
         const Index vbegin = pm.outgoing(v);
         Index vw = vbegin;
-        do {
+        do
+        {
           const Index w = pm.target(vw);
           if(v < w && !pm.is_ghost_vertex(w) && w != left && w != right && pm.halfedge(u, w) != null_index)
             *out++ = Seed_curve{level, {u, v, w}, Seed_origin::NON_FACE_TRIANGLE};
@@ -66,11 +68,12 @@ template <class OutputIterator>
 OutputIterator non_face_triangles_at_vertex(const Progressive_mesh& pm, Index v, OutputIterator out)
 {
   boost::container::small_vector<Index, 16> ring; // the neighbours, counterclockwise
-  std::uint64_t bits = 0; // which tell of most vertices that they are none
+  std::uint64_t bits = 0;                         // which tell of most vertices that they are none
   const auto bit = [](Index u) { return std::uint64_t(1) << (u % 64); };
   const Index begin = pm.outgoing(v);
   Index h = begin;
-  do {
+  do
+  {
     ring.push_back(pm.target(h));
     bits |= bit(ring.back());
     h = pm.ccw(h);
@@ -84,7 +87,8 @@ OutputIterator non_face_triangles_at_vertex(const Progressive_mesh& pm, Index v,
       continue;
     const Index xbegin = pm.outgoing(x);
     Index xy = xbegin;
-    do {
+    do
+    {
       const Index y = pm.target(xy);
       if(x < y && !pm.is_ghost_vertex(y) && (bits & bit(y)) != 0 && y != before && y != after &&
          std::find(ring.begin(), ring.end(), y) != ring.end())

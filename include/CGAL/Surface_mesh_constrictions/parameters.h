@@ -94,8 +94,8 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certified_only)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_prominence)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
-/// The isolation that a constriction has at least among those selected, see `Constriction::isolation()`. Type: `double`.
-/// Default: 0.15, and 0 near a location. Of the detections and the selections.
+/// The isolation that a constriction has at least among those selected, see `Constriction::isolation()`. Type:
+/// `double`. Default: 0.15, and 0 near a location. Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_isolation)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
@@ -109,8 +109,8 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_isoperimetric_ratio)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_constrictions)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
-/// Whether to select also constrictions that cross a more prominent one, there and back, have a rival, or are composed of
-/// shorter ones. Type: `bool`. Default: `false`. Of the detections and the selections.
+/// Whether to select also constrictions that cross a more prominent one, there and back, have a rival, or are composed
+/// of shorter ones. Type: `bool`. Default: `false`. Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(crossing_constrictions)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters

@@ -42,7 +42,8 @@ struct Refinement_visitor_base
   /// called when a curve has appeared or changed on T^level. `curve()` gives it as a `Closed_curve`, which is empty if
   /// it has shortened to a point.
   template <class Curve>
-  void on_curve(std::size_t /* level */, const std::vector<std::size_t>& /* seeds */, const Curve& /* curve */) {}
+  void on_curve(std::size_t /* level */, const std::vector<std::size_t>& /* seeds */, const Curve& /* curve */)
+  {}
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -125,8 +126,8 @@ OutputIterator refine_seed_curves(Progressive_mesh& pm, const std::vector<Seed_c
 
   for(Index c = 0; c < network.number_of_curve_ids(); ++c)
     if(!network.is_empty(c))
-      *out++ = Refined_curve{internal::curve_of_arcs(internal::arcs_of_curve(network, c)), network.curve(c).seeds,
-                             false};
+      *out++ =
+          Refined_curve{internal::curve_of_arcs(internal::arcs_of_curve(network, c)), network.curve(c).seeds, false};
   return out;
 }
 

@@ -31,8 +31,8 @@ OutputIterator write_sections(const Progressive_mesh& pm, const Edge_graph& grap
 {
   const Sections made(pm, graph); // once: what it costs depends on T^0
   const auto make_finder = [&] {
-    return [&, sections = made, values = std::vector<double>(graph.number_of_vertices())](
-               std::size_t i, const auto& write) mutable {
+    return [&, sections = made, values = std::vector<double>(graph.number_of_vertices())](std::size_t i,
+                                                                                          const auto& write) mutable {
       values_of(i, values);
       sections.cut(values, levels, write);
     };
@@ -102,8 +102,8 @@ OutputIterator distance_section_seeds(const Progressive_mesh& pm, OutputIterator
   if(n == 0)
     return out;
   internal::Shortest_path_tree tree(graph);
-  std::vector<std::vector<double> > distances;
-  std::vector<std::pair<std::size_t, std::size_t> > pairs;
+  std::vector<std::vector<double>> distances;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::vector<double> nearest(n, (std::numeric_limits<double>::infinity)());
   const auto farthest = [&nearest] {
     return static_cast<Index>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
@@ -128,7 +128,7 @@ OutputIterator distance_section_seeds(const Progressive_mesh& pm, OutputIterator
       pairs.emplace_back(i, j);
   }
   const auto differences = [&](std::size_t i, std::vector<double>& values) {
-    const std::vector<double> &a = distances[pairs[i].first], &b = distances[pairs[i].second];
+    const std::vector<double>&a = distances[pairs[i].first], &b = distances[pairs[i].second];
     std::transform(a.begin(), a.end(), b.begin(), values.begin(), [](double x, double y) { return x - y; });
   };
   return internal::write_sections<ConcurrencyTag>(pm, graph, pairs.size(), differences, sections, out);

@@ -108,7 +108,8 @@ private:
     double total = 0;
     const Index begin = pm.outgoing(v);
     Index h = begin;
-    do {
+    do
+    {
       total += internal::corner_angle(pm, h);
       h = pm.ccw(h);
     } while(h != begin);
@@ -128,7 +129,7 @@ class Given_seeds
 {
 public:
   /// \param loops closed paths, each the cyclic sequence of its vertices, the first not repeated
-  explicit Given_seeds(std::vector<std::vector<Index> > loops) : m_loops(std::move(loops)) {}
+  explicit Given_seeds(std::vector<std::vector<Index>> loops) : m_loops(std::move(loops)) {}
 
   /// writes the seeds of the level
   /// \throws Invalid_input for a loop that is not a closed path of edges
@@ -146,7 +147,7 @@ public:
   }
 
 private:
-  std::vector<std::vector<Index> > m_loops;
+  std::vector<std::vector<Index>> m_loops;
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -280,8 +281,7 @@ struct Default_seed_sources
   : public Seed_sources<Non_face_triangle_seeds, Cut_locus_seeds, Section_seeds, Boundary_seeds>
 {
   /// non-face triangles, cut locus, sections and boundaries, each with its defaults
-  Default_seed_sources()
-    : Seed_sources(Non_face_triangle_seeds(), Cut_locus_seeds(), Section_seeds(), Boundary_seeds())
+  Default_seed_sources() : Seed_sources(Non_face_triangle_seeds(), Cut_locus_seeds(), Section_seeds(), Boundary_seeds())
   {}
 };
 

@@ -30,8 +30,8 @@ namespace Surface_mesh_constrictions {
 constexpr double default_minimum_prominence = 0.05;
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The isolation that a constriction has at least among those selected by default, see `Constriction::isolation()`. Around
-/// a tube two that are nearer to each other than half of its diameter are one place.
+/// The isolation that a constriction has at least among those selected by default, see `Constriction::isolation()`.
+/// Around a tube two that are nearer to each other than half of its diameter are one place.
 constexpr double default_minimum_isolation = 0.15;
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -42,9 +42,9 @@ namespace internal {
 
 struct Selection_parameters
   : Known_parameters<internal_np::minimum_prominence_t, internal_np::minimum_isolation_t,
-                     internal_np::maximum_isoperimetric_ratio_t,
-                     internal_np::maximum_number_of_constrictions_t, internal_np::crossing_constrictions_t,
-                     internal_np::rim_constrictions_t, internal_np::all_constrictions_t>
+                     internal_np::maximum_isoperimetric_ratio_t, internal_np::maximum_number_of_constrictions_t,
+                     internal_np::crossing_constrictions_t, internal_np::rim_constrictions_t,
+                     internal_np::all_constrictions_t>
 {};
 
 struct Selection_on_mesh_parameters
@@ -59,9 +59,9 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// selects constrictions by their prominence, which must be known: those that a person would call necks, each once. They
-/// are ranked by prominence times roundness, see `Constriction::roundness()`: of what is held alike that comes first which
-/// goes straight around one limb.
+/// selects constrictions by their prominence, which must be known: those that a person would call necks, each once.
+/// They are ranked by prominence times roundness, see `Constriction::roundness()`: of what is held alike that comes
+/// first which goes straight around one limb.
 ///
 /// A constriction whose prominence is too small can slide, getting hardly longer, to where it is shorter; it is
 /// represented by the first selected one on the way along `Constriction::dominated_by()`. So all thresholds can be
@@ -167,11 +167,10 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
   for(std::size_t i = 0; i < given.size(); ++i)
     if(all || (given[i].is_rim() && with_rims) ||
        (!given[i].is_rim() && given[i].prominence() >= minimum_prominence &&
-               (!given[i].is_separating() || given[i].isoperimetric_ratio() <= maximum_ratio)))
+        (!given[i].is_separating() || given[i].isoperimetric_ratio() <= maximum_ratio)))
       order.push_back(i);
-  std::stable_sort(order.begin(), order.end(), [&given](std::size_t i, std::size_t j) {
-    return given[i].prominence() > given[j].prominence();
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&given](std::size_t i, std::size_t j) { return given[i].prominence() > given[j].prominence(); });
   if(!all && !with_crossing)
   {
     std::vector<bool> is_left_out = internal::family_constrictions(given, order);
@@ -187,7 +186,7 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
   std::vector<std::size_t> selected = order;
   if(!all && !with_crossing)
   {
-    std::vector<std::vector<std::size_t> > crossing(given.size());
+    std::vector<std::vector<std::size_t>> crossing(given.size());
     for(std::size_t i = 0; i < given.size(); ++i)
       for(std::size_t j : given[i].crosses())
       {
@@ -201,9 +200,8 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
     is_selected[i] = true;
   if(!all)
     internal::remove_beside_others(given, is_selected, minimum_isolation, with_rims, selected);
-  std::stable_sort(selected.begin(), selected.end(), [&given](std::size_t i, std::size_t j) {
-    return internal::ranks_before(given[i], given[j]);
-  });
+  std::stable_sort(selected.begin(), selected.end(),
+                   [&given](std::size_t i, std::size_t j) { return internal::ranks_before(given[i], given[j]); });
   selected.resize((std::min)(selected.size(), maximum_number));
   for(const Result& c : internal::reordered(given, selected, selected.size()))
     *out++ = c;

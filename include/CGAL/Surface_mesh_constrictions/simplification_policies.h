@@ -60,7 +60,8 @@ struct Lindstrom_turk_policies
   auto operator()(TriangleMesh&) const
   {
     namespace SMS = Surface_mesh_simplification;
-    return Cost_and_placement<SMS::LindstromTurk_cost<TriangleMesh>, SMS::LindstromTurk_placement<TriangleMesh> >({}, {});
+    return Cost_and_placement<SMS::LindstromTurk_cost<TriangleMesh>, SMS::LindstromTurk_placement<TriangleMesh>>({},
+                                                                                                                 {});
   }
 };
 
@@ -75,7 +76,7 @@ struct Edge_length_policies
   auto operator()(TriangleMesh&) const
   {
     namespace SMS = Surface_mesh_simplification;
-    return Cost_and_placement<SMS::Edge_length_cost<TriangleMesh>, SMS::Midpoint_placement<TriangleMesh> >({}, {});
+    return Cost_and_placement<SMS::Edge_length_cost<TriangleMesh>, SMS::Midpoint_placement<TriangleMesh>>({}, {});
   }
 };
 

@@ -136,8 +136,8 @@ OutputIterator tighten_closed_curves_checked(const TriangleMesh& tm, const LoopR
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(CGAL::vertex_point, tm));
+  const auto vpm =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
 
@@ -151,7 +151,7 @@ OutputIterator tighten_closed_curves_checked(const TriangleMesh& tm, const LoopR
   internal::Curve_network network(pm, false);
   const internal::Corner_angles angles(pm);
   internal::Curve_settler settler(network, internal::Length_unit(pm), angles);
-  internal::Exact_settler<TriangleMesh, std::decay_t<decltype(vpm)> > exact_settler(pm, imported, vpm);
+  internal::Exact_settler<TriangleMesh, std::decay_t<decltype(vpm)>> exact_settler(pm, imported, vpm);
   const internal::Surface_sides sides(pm);
   internal::Constriction_maker<TriangleMesh> maker(imported, pm, sides);
   std::size_t number = 0;
@@ -197,7 +197,7 @@ template <class TriangleMesh, class Loop, class NamedParameters = CGAL::paramete
 Tightened_curve<TriangleMesh> tighten_closed_curve(const TriangleMesh& tm, const Loop& loop,
                                                    const NamedParameters& np = CGAL::parameters::default_values())
 {
-  std::vector<Tightened_curve<TriangleMesh> > result;
+  std::vector<Tightened_curve<TriangleMesh>> result;
   const Loop* loops = &loop;
   tighten_closed_curves(tm, CGAL::make_range(loops, loops + 1), std::back_inserter(result), np);
   return result.front();

@@ -123,9 +123,8 @@ Shortest_path_verification verify_with_shortest_paths_checked(const TriangleMesh
 /// \sa `CGAL::Surface_mesh_shortest_path`
 template <class Kernel = Exact_predicates_inexact_constructions_kernel, class TriangleMesh,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
-Shortest_path_verification verify_with_shortest_paths(
-    const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
-    const NamedParameters& np = CGAL::parameters::default_values())
+Shortest_path_verification verify_with_shortest_paths(const TriangleMesh& tm, const Constriction<TriangleMesh>& curve,
+                                                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   if constexpr(internal::check_parameters<internal::Verification_parameters, NamedParameters>())
     return internal::verify_with_shortest_paths_checked<Kernel>(tm, curve, np);
@@ -142,10 +141,10 @@ Shortest_path_verification verify_with_shortest_paths_checked(const TriangleMesh
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(CGAL::vertex_point, tm));
-  const std::size_t maximum_number = static_cast<std::size_t>(
-      choose_parameter(get_parameter(np, internal_np::maximum_number), std::size_t(16)));
+  const auto vpm =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
+  const std::size_t maximum_number =
+      static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::maximum_number), std::size_t(16)));
 
   typedef internal::Curve_nodes<TriangleMesh> Nodes;
   const Nodes nodes(tm, curve.locations(), internal::verification_tolerance);

@@ -51,8 +51,7 @@ Index face_between(const Progressive_mesh& pm, const SMC::Closed_curve::Node& a,
 }
 
 // Checks every curve on every level on which it appears or changes.
-struct Checker
-  : public SMC::Refinement_visitor_base
+struct Checker : public SMC::Refinement_visitor_base
 {
   const Progressive_mesh* pm;
   std::size_t checked = 0;
@@ -81,14 +80,15 @@ struct Checker
   }
 };
 
-class Refinement : public testing::TestWithParam<Tightening_schedule> {};
+class Refinement : public testing::TestWithParam<Tightening_schedule>
+{};
 
 TEST_P(Refinement, CurvesAreLegalOnEveryLevelAndEverySeedIsAccountedForOnce)
 {
   for(unsigned seed = 0; seed < 4; ++seed)
   {
-    const test_meshes::Mesh mesh = test_meshes::make_mesh(seed % 2 == 0 ? test_meshes::dumbbell(0.1, seed)
-                                                                       : test_meshes::torus(0.1, seed));
+    const test_meshes::Mesh mesh =
+        test_meshes::make_mesh(seed % 2 == 0 ? test_meshes::dumbbell(0.1, seed) : test_meshes::torus(0.1, seed));
     std::vector<SMC::Seed_curve> seeds;
     Progressive_mesh pm = simplified(mesh, seeds);
     ASSERT_GT(seeds.size(), 3u);
@@ -127,7 +127,8 @@ TEST_P(Refinement, SeedsOfAnyLengthAreCarriedToTheInput)
     SMC::Seed_curve link = {pm.level(), {}, SMC::Seed_origin::USER};
     const Index begin = pm.outgoing(v);
     Index h = begin;
-    do {
+    do
+    {
       link.vertices.push_back(pm.target(h));
       h = pm.ccw(h);
     } while(h != begin);

@@ -126,7 +126,7 @@ TEST(MergeSeedCurves, WhatIsComposedOfShorterOnesIsKeptOnlyIfAskedFor)
     std::vector<SMC::Merged_seed> merged;
     SMC::merge_seed_curves(pm, seeds, 0, parameters, std::back_inserter(merged));
     EXPECT_EQ(all_seeds(merged).size(), seeds.size());
-    std::set<std::vector<Index> > classes;
+    std::set<std::vector<Index>> classes;
     for(const SMC::Merged_seed& m : merged)
       if(m.verdict == SMC::Merging_verdict::KEPT && !cycles.homology_class(m.curve.vertices).empty())
         classes.insert(cycles.homology_class(m.curve.vertices));

@@ -41,7 +41,7 @@ void expect_defect(Input_defect defect, std::size_t element, const std::vector<s
 
 std::vector<double> detect(const Mesh& mesh)
 {
-  std::vector<SMC::Constriction<Mesh> > curves;
+  std::vector<SMC::Constriction<Mesh>> curves;
   SMC::detect_constrictions(mesh, std::back_inserter(curves));
   std::vector<double> lengths;
   for(const auto& c : curves)
@@ -49,7 +49,8 @@ std::vector<double> detect(const Mesh& mesh)
   return lengths;
 }
 
-void expect_mesh_defect(Input_defect defect, std::size_t element, const std::vector<std::string>& parts, const Mesh& mesh)
+void expect_mesh_defect(Input_defect defect, std::size_t element, const std::vector<std::string>& parts,
+                        const Mesh& mesh)
 {
   expect_defect(defect, element, parts, [&mesh]() { detect(mesh); });
 }
@@ -60,10 +61,7 @@ void expect_table_defect(Input_defect defect, std::size_t element, const std::ve
   expect_defect(defect, element, parts, [&]() { SMC::internal::make_corner_table(vertices, corners); });
 }
 
-TEST(Bad_input, EmptyMesh)
-{
-  expect_mesh_defect(Input_defect::EMPTY_MESH, 0, {"empty"}, Mesh());
-}
+TEST(Bad_input, EmptyMesh) { expect_mesh_defect(Input_defect::EMPTY_MESH, 0, {"empty"}, Mesh()); }
 
 // Where a closed surface is needed.
 TEST(Bad_input, HoleNamesItsEdge)
@@ -80,9 +78,10 @@ TEST(Bad_input, VertexOfTwoHoles)
                      test_meshes::make_mesh({{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{-1, 0, 0}}, {{0, -1, 1}}},
                                              {{{0, 1, 2}}, {{0, 3, 4}}}}));
   for(bool with_border : {false, true})
-    expect_defect(with_border ? Input_defect::NON_MANIFOLD_VERTEX : Input_defect::NOT_CLOSED, with_border ? 3 : 4, {}, [&] {
-      SMC::internal::make_corner_table(6, {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2, 3, 4, 5}, with_border);
-    });
+    expect_defect(with_border ? Input_defect::NON_MANIFOLD_VERTEX : Input_defect::NOT_CLOSED, with_border ? 3 : 4, {},
+                  [&] {
+                    SMC::internal::make_corner_table(6, {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2, 3, 4, 5}, with_border);
+                  });
 }
 
 TEST(Bad_input, FaceOfFourCorners)
@@ -92,7 +91,7 @@ TEST(Bad_input, FaceOfFourCorners)
                         CGAL::Point_3<test_meshes::Kernel>(1, 1, 0), CGAL::Point_3<test_meshes::Kernel>(0, 1, 0),
                         CGAL::Point_3<test_meshes::Kernel>(0, 1, 1), CGAL::Point_3<test_meshes::Kernel>(0, 0, 1),
                         CGAL::Point_3<test_meshes::Kernel>(1, 0, 1), CGAL::Point_3<test_meshes::Kernel>(1, 1, 1), cube);
-  std::vector<SMC::Constriction<CGAL::Polyhedron_3<test_meshes::Kernel> > > out;
+  std::vector<SMC::Constriction<CGAL::Polyhedron_3<test_meshes::Kernel>>> out;
   expect_defect(Input_defect::NOT_TRIANGULAR, 0, {"face 0"},
                 [&]() { SMC::detect_constrictions(cube, std::back_inserter(out)); });
 }

@@ -76,8 +76,8 @@ TEST(Enumeration, AConvexPolyhedronHasNoSegmentBetweenSaddles)
   EXPECT_TRUE(e.constrictions().empty());
 }
 
-// All that is enumerated is straight and turns at vertices only, by a check that shares nothing with the enumeration but
-// the unfolding of a triangle.
+// All that is enumerated is straight and turns at vertices only, by a check that shares nothing with the enumeration
+// but the unfolding of a triangle.
 TEST(Enumeration, WhatIsEnumeratedIsClosedGeodesics)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::jittered(test_meshes::two_holes(), 0.1, 0));
@@ -100,8 +100,7 @@ struct Share
   double ratio() const { return static_cast<double>(found) / static_cast<double>(all); }
 };
 
-class Completeness
-  : public testing::Test
+class Completeness : public testing::Test
 {
 protected:
   // Compares what is detected on a mesh with all strict constrictions that are up to three times as long as the
@@ -141,8 +140,8 @@ protected:
           short_prominent.count(is_found);
       }
     }
-    // A curve that is hardly longer than the shortest one and hard to get off is two shortest paths from most of its points
-    // to the opposite ones, so that the cut locus of every root on it has it.
+    // A curve that is hardly longer than the shortest one and hard to get off is two shortest paths from most of its
+    // points to the opposite ones, so that the cut locus of every root on it has it.
     EXPECT_EQ(short_prominent.found, short_prominent.all);
     record(name, all, prominent);
     m_all.found += all.found;
@@ -182,8 +181,9 @@ TEST_F(Completeness, WhatIsDetectedIsKnownAndMostOfWhatIsProminentIsDetected)
                 14, 10, 0.12, seed));
 
   record("total", m_all, m_prominent);
-  // Of those that a rubber band leaves only when it is stretched by 30 percent one in ten may be missed: long ones that are
-  // no two shortest paths. Of all, many are copies of each other a few faces apart, and the search does not try for them.
+  // Of those that a rubber band leaves only when it is stretched by 30 percent one in ten may be missed: long ones that
+  // are no two shortest paths. Of all, many are copies of each other a few faces apart, and the search does not try for
+  // them.
   EXPECT_GE(m_prominent.ratio(), 0.9);
   EXPECT_GE(m_all.ratio(), 0.4);
 }

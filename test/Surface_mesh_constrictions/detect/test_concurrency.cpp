@@ -55,8 +55,7 @@ TEST(Concurrency, ManyCurvesAreTheSameWithAnyNumberOfThreads)
 
 TEST(Concurrency, AVisitorIsCalledByOneThreadAtATimeAndItsStepsGrow)
 {
-  struct Visitor
-    : public SMC::Detection_visitor_base
+  struct Visitor : public SMC::Detection_visitor_base
   {
     struct Record
     {

@@ -39,12 +39,11 @@ std::vector<Constriction> detect(const Mesh& mesh, Seed_detection detection = Se
 {
   SMC::Detection_statistics s;
   std::vector<Constriction> result;
-  SMC::detect_constrictions(
-      mesh, std::back_inserter(result),
-      SMC::parameters::all_constrictions(
-          true, SMC::parameters::seed_detection(
-                    detection, SMC::parameters::tightening_schedule(
-                                   schedule, CGAL::parameters::visitor(Statistics_taker(s))))));
+  SMC::detect_constrictions(mesh, std::back_inserter(result),
+                            SMC::parameters::all_constrictions(
+                                true, SMC::parameters::seed_detection(
+                                          detection, SMC::parameters::tightening_schedule(
+                                                         schedule, CGAL::parameters::visitor(Statistics_taker(s))))));
   EXPECT_EQ(s.not_selected, 0u);
   EXPECT_EQ(s.seeds + s.barriers, s.degenerate + s.not_simple + s.merged + result.size());
   std::size_t seeds = 0;
@@ -191,7 +190,7 @@ TEST(Detection, NoTwoResultsAreEqual)
   for(unsigned seed = 0; seed < 6; ++seed)
   {
     const std::vector<Constriction> curves = detect(test_meshes::make_mesh(test_meshes::torus(0.15, seed)));
-    std::set<std::vector<std::size_t> > seen;
+    std::set<std::vector<std::size_t>> seen;
     for(const Constriction& c : curves)
     {
       std::vector<std::size_t> nodes;
@@ -219,10 +218,9 @@ TEST(Detection, PoliciesOfTheUserAreUsed)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.05, 9));
   std::vector<Constriction> lindstrom_turk, edge_length;
-  SMC::detect_constrictions(
-      mesh, std::back_inserter(lindstrom_turk),
-      CGAL::parameters::get_cost(SMS::LindstromTurk_cost<SMC::Simplification_mesh>())
-          .get_placement(SMS::LindstromTurk_placement<SMC::Simplification_mesh>()));
+  SMC::detect_constrictions(mesh, std::back_inserter(lindstrom_turk),
+                            CGAL::parameters::get_cost(SMS::LindstromTurk_cost<SMC::Simplification_mesh>())
+                                .get_placement(SMS::LindstromTurk_placement<SMC::Simplification_mesh>()));
   SMC::detect_constrictions(mesh, std::back_inserter(edge_length),
                             SMC::parameters::tightening_schedule(Tightening_schedule::EVERY_LEVEL)
                                 .get_cost(SMS::Edge_length_cost<SMC::Simplification_mesh>())
@@ -231,7 +229,8 @@ TEST(Detection, PoliciesOfTheUserAreUsed)
   EXPECT_FALSE(edge_length.empty());
 }
 
-// Seeds of all simplifications are followed, and each curve is found once. Levels are those of a seed's own simplification.
+// Seeds of all simplifications are followed, and each curve is found once. Levels are those of a seed's own
+// simplification.
 TEST(Detection, SeveralPoliciesFindWhatEachOfThemFinds)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.15, 11));
@@ -257,7 +256,8 @@ TEST(Detection, SeveralPoliciesFindWhatEachOfThemFinds)
   const auto is_same = [](double a, double b) { return b - a < 1e-12 * b; };
   expected.erase(std::unique(expected.begin(), expected.end(), is_same), expected.end());
   std::vector<double> found = find(
-      std::make_tuple(SMC::Garland_heckbert_policies(), SMC::Lindstrom_turk_policies(), SMC::Edge_length_policies()), all);
+      std::make_tuple(SMC::Garland_heckbert_policies(), SMC::Lindstrom_turk_policies(), SMC::Edge_length_policies()),
+      all);
   found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
   ASSERT_EQ(found.size(), expected.size());
   EXPECT_GT(found.size(), garland.size());
@@ -284,8 +284,7 @@ TEST(Detection, EverySeedIsAccountedForWhenSomeAreDiscardedEarly)
 }
 
 // How many curves are to be certified.
-struct Certification_size
-  : public Statistics_taker
+struct Certification_size : public Statistics_taker
 {
   std::size_t* curves;
 
@@ -301,7 +300,7 @@ struct Certification_size
 TEST(Detection, CurvesThatAreTooLongToBeSelectedAreNotCertified)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.05, 3, 60, 40));
-  std::vector<std::vector<SMC::Index> > circles(2);
+  std::vector<std::vector<SMC::Index>> circles(2);
   for(SMC::Index j = 0; j < 40; ++j)
   {
     circles[0].push_back(30 * 40 + j);
@@ -313,11 +312,10 @@ TEST(Detection, CurvesThatAreTooLongToBeSelectedAreNotCertified)
     std::vector<Constriction> result;
     SMC::detect_constrictions(
         mesh, std::back_inserter(result),
-        SMC::parameters::seed_sources(
-            SMC::Given_seeds(circles),
-            SMC::parameters::maximum_isoperimetric_ratio(
-                ratio, SMC::parameters::all_constrictions(
-                           all, CGAL::parameters::visitor(Certification_size(s, curves))))));
+        SMC::parameters::seed_sources(SMC::Given_seeds(circles),
+                                      SMC::parameters::maximum_isoperimetric_ratio(
+                                          ratio, SMC::parameters::all_constrictions(
+                                                     all, CGAL::parameters::visitor(Certification_size(s, curves))))));
     EXPECT_EQ(s.seeds + s.barriers, s.degenerate + s.merged + s.not_selected + result.size());
     EXPECT_EQ(s.discarded, 0u);
     return curves;
@@ -393,8 +391,8 @@ TEST(Detection, TheVisitorHearsOfTheStagesInOrder)
   std::vector<Constriction> result;
   SMC::detect_constrictions(test_meshes::make_mesh(test_meshes::dumbbell(0.05, 2)), std::back_inserter(result),
                             CGAL::parameters::visitor(Listener{&events, &last}));
-  EXPECT_EQ(events, (std::vector<std::string>{"begin 0", "end 0", "begin 1", "end 1", "begin 2", "end 2",
-                                              "begin 3", "end 3", "begin 4", "end 4", "begin 5", "end 5", "statistics"}));
+  EXPECT_EQ(events, (std::vector<std::string>{"begin 0", "end 0", "begin 1", "end 1", "begin 2", "end 2", "begin 3",
+                                              "end 3", "begin 4", "end 4", "begin 5", "end 5", "statistics"}));
   ASSERT_EQ(last.size(), 6u);
   EXPECT_GT(last[0], 100u);
   EXPECT_EQ(last[1], last[0]);

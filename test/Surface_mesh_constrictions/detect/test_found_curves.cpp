@@ -79,15 +79,18 @@ struct Tube
   void certify(Certificate_verdict verdict, bool keeps_open, bool degenerates = false)
   {
     internal::certify_found<CGAL::Sequential_tag>(
-        network, [&] { return Settler_that_says{verdict, degenerates}; }, 1, keeps_open, refined, found, statistics,
-        [](std::size_t) {});
+        network,
+        [&] {
+          return Settler_that_says{verdict, degenerates};
+        },
+        1, keeps_open, refined, found, statistics, [](std::size_t) {});
   }
 };
 
 TEST(FoundCurves, WhatIsOpenStaysWithTheReasonUnlessOnlyCertifiedOnesAreAskedFor)
 {
-  for(Certificate_verdict verdict : {Certificate_verdict::TIE_NOT_PROVED, Certificate_verdict::ANGLE_BELOW_PI,
-                                     Certificate_verdict::NOT_STRAIGHT})
+  for(Certificate_verdict verdict :
+      {Certificate_verdict::TIE_NOT_PROVED, Certificate_verdict::ANGLE_BELOW_PI, Certificate_verdict::NOT_STRAIGHT})
   {
     Tube kept(3, 1, 2);
     kept.certify(verdict, true);

@@ -7,8 +7,7 @@
 
 namespace test_generic_openmesh {
 
-struct Double_traits
-  : public OpenMesh::DefaultTraits
+struct Double_traits : public OpenMesh::DefaultTraits
 {
   typedef OpenMesh::Vec3d Point;
   typedef OpenMesh::Vec3d Normal;

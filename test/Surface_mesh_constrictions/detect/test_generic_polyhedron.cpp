@@ -7,7 +7,7 @@ namespace test_generic_polyhedron {
 
 TEST(Generic, PolyhedronGivesTheSameCurves)
 {
-  same_curves::expect_same_curves<CGAL::Polyhedron_3<test_meshes::Kernel> >();
+  same_curves::expect_same_curves<CGAL::Polyhedron_3<test_meshes::Kernel>>();
 }
 
 } // namespace test_generic_polyhedron

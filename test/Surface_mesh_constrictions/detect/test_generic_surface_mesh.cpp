@@ -8,12 +8,12 @@ namespace test_generic_surface_mesh {
 
 TEST(Generic, SurfaceMeshOfSimpleCartesianPointsGivesTheSameCurves)
 {
-  same_curves::expect_same_curves<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> >();
+  same_curves::expect_same_curves<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>>();
 }
 
 TEST(Generic, SurfaceMeshOfExactPointsGivesTheSameCurves)
 {
-  same_curves::expect_same_curves<CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3> >();
+  same_curves::expect_same_curves<CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>>();
 }
 
 TEST(Generic, AVertexPointMapOfTheUserIsUsed)

@@ -77,8 +77,8 @@ TEST(Near, OnAnArmOfTheCactusItsRingComesFirstAndOnTheTrunkTheTrunks)
     double length, tolerance, x; // of the ring, and the x coordinate of its center
   };
   const std::vector<Place> places = {
-      {Point(0.34, 0.07, -0.02), 0.295, 0.005, 0.3},   {Point(0.18, -0.08, -0.05), 0.291, 0.002, 0.14},
-      {Point(0.38, 0.29, 0.00), 0.295, 0.01, 0.33},    {Point(-0.30, 0.17, 0.00), 0.29, 0.01, -0.27},
+      {Point(0.34, 0.07, -0.02), 0.295, 0.005, 0.3},    {Point(0.18, -0.08, -0.05), 0.291, 0.002, 0.14},
+      {Point(0.38, 0.29, 0.00), 0.295, 0.01, 0.33},     {Point(-0.30, 0.17, 0.00), 0.29, 0.01, -0.27},
       {Point(-0.32, 0.29, 0.09), 0.295, 0.01, -0.3},    {Point(0.02, 0.33, -0.08), 0.597, 0.003, -0.02},
       {Point(-0.10, -0.52, 0.05), 0.597, 0.003, -0.02}, {Point(-0.06, 0.51, 0.05), 0.597, 0.003, -0.02}};
   for(const Place& p : places)

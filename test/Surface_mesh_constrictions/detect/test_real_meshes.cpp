@@ -32,9 +32,8 @@ std::vector<Constriction> detect(const std::string& name)
 
 std::size_t count_near(const std::vector<Constriction>& curves, double length, double tolerance)
 {
-  return static_cast<std::size_t>(std::count_if(curves.begin(), curves.end(), [=](const Constriction& c) {
-    return std::abs(c.length() - length) <= tolerance;
-  }));
+  return static_cast<std::size_t>(std::count_if(
+      curves.begin(), curves.end(), [=](const Constriction& c) { return std::abs(c.length() - length) <= tolerance; }));
 }
 
 // The paper's own program missed the trunk.
@@ -47,10 +46,7 @@ TEST(Real_meshes, CactusHasConstrictionsAroundItsArmsAndItsTrunk)
     EXPECT_TRUE(c.is_separating());
 }
 
-TEST(Real_meshes, TheHandHasItsThumb)
-{
-  EXPECT_GE(detect("hand.off").size(), 1u);
-}
+TEST(Real_meshes, TheHandHasItsThumb) { EXPECT_GE(detect("hand.off").size(), 1u); }
 
 TEST(Real_meshes, OnGenusTwoSomeCurvesDoNotSeparate)
 {

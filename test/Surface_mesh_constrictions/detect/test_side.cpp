@@ -104,8 +104,8 @@ TEST(Side, TheSpannedSurfaceIsOnTheSideOfGeneratedMeshes)
   for(bool inside_out : {false, true})
   {
     const test_meshes::Soup soup = test_meshes::torus(0.01, 2, 30, 14, 0.3);
-    const Counts torus = expect_spanned_surface_on_its_side(
-        test_meshes::make_mesh(inside_out ? test_meshes::inside_out(soup) : soup));
+    const Counts torus =
+        expect_spanned_surface_on_its_side(test_meshes::make_mesh(inside_out ? test_meshes::inside_out(soup) : soup));
     EXPECT_GE(torus.object, 1u);
     EXPECT_GE(torus.complement, 1u);
   }

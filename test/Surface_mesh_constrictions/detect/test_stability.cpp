@@ -63,8 +63,8 @@ std::vector<Neck> necks(const Mesh& mesh)
 // flat band if there is one.
 bool match(const Neck& a, const Neck& b)
 {
-  return std::abs(a.length - b.length) <= 0.05 * a.length &&
-         std::sqrt(CGAL::squared_distance(a.center, b.center)) <= a.length / (2 * CGAL_PI) + a.band_width + b.band_width;
+  return std::abs(a.length - b.length) <= 0.05 * a.length && std::sqrt(CGAL::squared_distance(a.center, b.center)) <=
+                                                                 a.length / (2 * CGAL_PI) + a.band_width + b.band_width;
 }
 
 std::size_t count_matches(const Neck& neck, const std::vector<Neck>& others)
@@ -126,33 +126,41 @@ void expect_stable(Make make, std::size_t expected, double prominence = 0.3)
 
 TEST(Stability, OfADumbbell)
 {
-  expect_stable([](double noise, unsigned seed, int triangulation) {
-    return triangulation == 0 ? test_meshes::dumbbell(noise, seed) : test_meshes::dumbbell(noise, seed, 35, 25);
-  }, 1);
+  expect_stable(
+      [](double noise, unsigned seed, int triangulation) {
+        return triangulation == 0 ? test_meshes::dumbbell(noise, seed) : test_meshes::dumbbell(noise, seed, 35, 25);
+      },
+      1);
 }
 
 TEST(Stability, OfAChainOfNecks)
 {
-  expect_stable([](double noise, unsigned seed, int triangulation) {
-    return triangulation == 0 ? test_meshes::chain_of_necks(noise, seed)
-                              : test_meshes::chain_of_necks(noise, seed, 75, 27);
-  }, 4);
+  expect_stable(
+      [](double noise, unsigned seed, int triangulation) {
+        return triangulation == 0 ? test_meshes::chain_of_necks(noise, seed)
+                                  : test_meshes::chain_of_necks(noise, seed, 75, 27);
+      },
+      4);
 }
 
 TEST(Stability, OfATorusWithItsMeridianAndItsEquator)
 {
-  expect_stable([](double noise, unsigned seed, int triangulation) {
-    return triangulation == 0 ? test_meshes::torus(noise, seed, 30, 14, 0.3)
-                              : test_meshes::torus(noise, seed, 41, 19, 0.3);
-  }, 2);
+  expect_stable(
+      [](double noise, unsigned seed, int triangulation) {
+        return triangulation == 0 ? test_meshes::torus(noise, seed, 30, 14, 0.3)
+                                  : test_meshes::torus(noise, seed, 41, 19, 0.3);
+      },
+      2);
 }
 
 // Less prominent are belts around the body, which is a cube: where they run, noise decides.
 TEST(Stability, OfATreeOfBoxes)
 {
-  expect_stable([](double noise, unsigned seed, int triangulation) {
-    return test_meshes::jittered(test_meshes::branches(1 + triangulation), noise, seed);
-  }, 3, 0.5);
+  expect_stable(
+      [](double noise, unsigned seed, int triangulation) {
+        return test_meshes::jittered(test_meshes::branches(1 + triangulation), noise, seed);
+      },
+      3, 0.5);
 }
 
 TEST(Stability, OfARealMeshWithNoise)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where straight lines meet the edges that they cross, compared with what is known by construction, and with 300 digits.
+// Where straight lines meet the edges that they cross, compared with what is known by construction, and with 300
+// digits.
 #include "include/random_loops.h"
 #include "include/real_meshes.h"
 #include "include/test_meshes.h"
@@ -63,8 +64,8 @@ TEST(AccurateTrace, DoubleDoublesHaveAHundredBits)
 }
 
 // A band of triangles in the plane z = 0 around the x axis, closed below by a cone, and the arc that runs along the
-// axis. Edges join (i, below[i]) to (i + 1, above[i]) and that to (i + 1, below[i + 1]), so that with small heights they
-// are nearly parallel to the axis, every second one.
+// axis. Edges join (i, below[i]) to (i + 1, above[i]) and that to (i + 1, below[i + 1]), so that with small heights
+// they are nearly parallel to the axis, every second one.
 struct Band
 {
   test_meshes::Soup soup;
@@ -238,7 +239,7 @@ Deviation deviation(const Mesh& mesh, const SMC::Constriction<Mesh>& curve, std:
   return result;
 }
 
-Deviation deviation(const Mesh& mesh, const std::vector<SMC::Constriction<Mesh> >& curves)
+Deviation deviation(const Mesh& mesh, const std::vector<SMC::Constriction<Mesh>>& curves)
 {
   Deviation result;
   for(const SMC::Constriction<Mesh>& c : curves)
@@ -266,12 +267,12 @@ TEST(AccurateTrace, CurvesOnRealMeshesAreStraight)
         p = Mesh::Point(stretch * p.x(), p.y(), p.z());
       }
       std::mt19937 random(7);
-      std::vector<random_loops::Loop<Mesh> > loops;
+      std::vector<random_loops::Loop<Mesh>> loops;
       for(int i = 0; i < 24; ++i)
         loops.push_back(random_loops::random_loop(mesh, random));
-      std::vector<SMC::Tightened_curve<Mesh> > tightened;
+      std::vector<SMC::Tightened_curve<Mesh>> tightened;
       SMC::tighten_closed_curves(mesh, loops, std::back_inserter(tightened));
-      std::vector<SMC::Constriction<Mesh> > curves;
+      std::vector<SMC::Constriction<Mesh>> curves;
       for(const auto& t : tightened)
         if(t.verdict == SMC::Tightening_verdict::CLOSED_GEODESIC && t.curve.certificate().is_certified())
           curves.push_back(t.curve);

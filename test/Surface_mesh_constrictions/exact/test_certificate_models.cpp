@@ -43,8 +43,9 @@ const std::vector<Position> beginning = {{{2, 1, 1}}, {{2, 2, 1}}, {{2, 2, 2}}, 
 void expect_loop(const Soup& soup, const std::vector<Position>& loop, Certificate_verdict verdict, double length,
                  double band_width)
 {
-  for(const Certificate& c : {exact_models::certify_loop<Exact_mesh>(soup, loop), exact_models::certify_loop<Mesh>(soup, loop),
-                              exact_models::certify_loop<Cartesian_mesh>(soup, loop)})
+  for(const Certificate& c :
+      {exact_models::certify_loop<Exact_mesh>(soup, loop), exact_models::certify_loop<Mesh>(soup, loop),
+       exact_models::certify_loop<Cartesian_mesh>(soup, loop)})
   {
     EXPECT_EQ(c.verdict, verdict) << c;
     EXPECT_NEAR(c.flat_band_width, band_width, 1e-12 * band_width);
@@ -78,8 +79,8 @@ TEST(CertificateModels, EveryRingOfTheTubeIsInTheSameBand)
   const Soup soup = test_meshes::boxes_with_tube(4);
   for(double x = 2; x <= 6; ++x)
   {
-    const Certificate c = exact_models::certify_loop<Exact_mesh>(
-        soup, {{{x, 1, 1}}, {{x, 2, 1}}, {{x, 2, 2}}, {{x, 1, 2}}});
+    const Certificate c =
+        exact_models::certify_loop<Exact_mesh>(soup, {{{x, 1, 1}}, {{x, 2, 1}}, {{x, 2, 2}}, {{x, 1, 2}}});
     EXPECT_EQ(c.verdict, Certificate_verdict::CONSTRICTION) << c;
     EXPECT_NEAR(c.flat_band_width, 4, 1e-12);
   }
@@ -121,8 +122,8 @@ TEST(CertificateModels, BeltsOfConvexPrismsLeak)
   for(int n = 3; n <= 12; ++n)
   {
     const auto p = exact_models::polygon(n);
-    const Soup soup = exact_models::tube({exact_models::ring(p, 1, 0), exact_models::ring(p, 1, 200),
-                                          exact_models::ring(p, 1, 500)});
+    const Soup soup =
+        exact_models::tube({exact_models::ring(p, 1, 0), exact_models::ring(p, 1, 200), exact_models::ring(p, 1, 500)});
     const Certificate c = exact_models::certify_loop<Exact_mesh>(soup, exact_models::ring(p, 1, 200));
     EXPECT_EQ(c.verdict, Certificate_verdict::LEAKY_BAND) << n << ": " << c;
     EXPECT_TRUE(detect_all(test_meshes::make_graph<Exact_mesh>(soup)).empty());
@@ -309,8 +310,7 @@ TEST(Certificate, EachVerdictIsOneLineWithItsPlace)
             "not_certified: the side angle on the right of point 3 is less than pi");
   EXPECT_EQ(text(Certificate_verdict::CROSSES_ITSELF),
             "not_certified: not simple, crosses itself between points 3 and 5");
-  EXPECT_EQ(text(Certificate_verdict::TOUCHES_ITSELF),
-            "not_certified: not simple, points 3 and 5 are the same vertex");
+  EXPECT_EQ(text(Certificate_verdict::TOUCHES_ITSELF), "not_certified: not simple, points 3 and 5 are the same vertex");
   EXPECT_EQ(text(Certificate_verdict::TIE_NOT_PROVED), "not_certified: tie not proved at point 3");
   EXPECT_EQ(text(Certificate_verdict::NOT_COMPUTED), "not_certified: no exact certificate has been computed");
 }
@@ -326,7 +326,8 @@ Constriction<Mesh> curve_without_pivots(const Mesh& mesh, double x)
     if(!(p.x() > x && q.x() < x)) // seen along the curve, the lower end lies on its left
       continue;
     Mesh::Halfedge_index crossed = h;
-    do {
+    do
+    {
       data.locations.push_back({false, Mesh::Vertex_index(), crossed, 0.5});
       const Mesh::Halfedge_index o = mesh.opposite(crossed), n = mesh.next(o), m = mesh.prev(o);
       crossed = mesh.point(mesh.source(n)).x() > x && mesh.point(mesh.target(n)).x() < x ? n : m;
@@ -347,8 +348,8 @@ TEST(CertificateModels, CurveWithoutPivotsIsKnownByItsStrip)
   EXPECT_EQ(certify_constriction(box, curve_without_pivots(box, 1.5)).verdict, Certificate_verdict::LEAKY_BAND);
 
   // the strip of a frustum turns, so no closed curve in it is straight
-  const Mesh frustum = test_meshes::make_mesh(
-      exact_models::tube({exact_models::ring(exact_models::square(), 3, 0), exact_models::ring(exact_models::square(), 1, 5)}));
+  const Mesh frustum = test_meshes::make_mesh(exact_models::tube(
+      {exact_models::ring(exact_models::square(), 3, 0), exact_models::ring(exact_models::square(), 1, 5)}));
   Mesh upright = frustum;
   for(auto v : vertices(upright))
     upright.point(v) = Mesh::Point(frustum.point(v).z(), frustum.point(v).x(), frustum.point(v).y());
@@ -360,7 +361,7 @@ TEST(CertificateModels, CurveWithoutPivotsIsKnownByItsStrip)
 Constriction<Mesh> loop_at_height_of(const Mesh& mesh, std::size_t vertex, bool is_clockwise)
 {
   const Mesh::Vertex_index v(static_cast<Mesh::size_type>(vertex));
-  const internal::Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point> > surface(mesh, mesh.points());
+  const internal::Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point>> surface(mesh, mesh.points());
   Constriction<Mesh>::Data data;
   data.locations.push_back({true, v, Mesh::Halfedge_index(), 0});
   for(Mesh::Halfedge_index h : exact_models::crossings_at_height_of(

@@ -37,7 +37,7 @@ using exact_models::Soup;
 using test_meshes::Mesh;
 
 typedef CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3> Exact_mesh;
-typedef internal::Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point> > Surface;
+typedef internal::Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point>> Surface;
 typedef internal::Exact_arc<Surface> Arc;
 
 Constriction<Mesh> curve_of_arcs(const std::vector<Arc>& arcs)
@@ -72,7 +72,8 @@ TEST(CertificateProperties, CurvesOneCombinatorialStepAsideAreRefused)
 {
   std::size_t refused = 0;
   for(unsigned seed = 1; seed <= 4; ++seed)
-    for(const Soup& soup : {test_meshes::torus(0.1, seed), test_meshes::dumbbell(0.05, seed), test_meshes::boxes_with_tube(2)})
+    for(const Soup& soup :
+        {test_meshes::torus(0.1, seed), test_meshes::dumbbell(0.05, seed), test_meshes::boxes_with_tube(2)})
     {
       const Mesh mesh = test_meshes::make_mesh(soup);
       for(const auto& c : detect_all(mesh))
@@ -92,8 +93,8 @@ TEST(CertificateProperties, CurvesOneCombinatorialStepAsideAreRefused)
   EXPECT_GT(refused, 200u);
 }
 
-// 10,000 loops around a square tube, each with a side angle that differs from pi by 1e-15 or so: too small, and the loop
-// is refused; or too great, and it is strict.
+// 10,000 loops around a square tube, each with a side angle that differs from pi by 1e-15 or so: too small, and the
+// loop is refused; or too great, and it is strict.
 TEST(CertificateProperties, NearTiesOf1e14AreNeverMistaken)
 {
   std::mt19937 random(17);
@@ -142,11 +143,17 @@ TEST(CertificateProperties, RotationScalingAndRelabellingChangeNoVerdict)
   };
   const auto p5 = exact_models::polygon(5);
   const std::vector<Case> cases = {
-      {test_meshes::boxes_with_tube(2), {{{2, 1, 1}}, {{2, 2, 1}}, {{2, 2, 2}}, {{2, 1, 2}}}, Certificate_verdict::CONSTRICTION},
-      {exact_models::waist(2), exact_models::ring(exact_models::square(), 2, 5), Certificate_verdict::STRICT_CONSTRICTION},
-      {exact_models::twisted_cylinder(), {{{2, 0, 0}}, {{0, 2, 0}}, {{-2, 0, 0}}, {{0, -2, 0}}}, Certificate_verdict::STRICT_CONSTRICTION},
+      {test_meshes::boxes_with_tube(2),
+       {{{2, 1, 1}}, {{2, 2, 1}}, {{2, 2, 2}}, {{2, 1, 2}}},
+       Certificate_verdict::CONSTRICTION},
+      {exact_models::waist(2), exact_models::ring(exact_models::square(), 2, 5),
+       Certificate_verdict::STRICT_CONSTRICTION},
+      {exact_models::twisted_cylinder(),
+       {{{2, 0, 0}}, {{0, 2, 0}}, {{-2, 0, 0}}, {{0, -2, 0}}},
+       Certificate_verdict::STRICT_CONSTRICTION},
       {exact_models::prism_chain(5, 400), exact_models::ring(p5, 1, 900), Certificate_verdict::CONSTRICTION},
-      {exact_models::tube({exact_models::ring(p5, 1, 0), exact_models::ring(p5, 1, 200), exact_models::ring(p5, 1, 500)}),
+      {exact_models::tube(
+           {exact_models::ring(p5, 1, 0), exact_models::ring(p5, 1, 200), exact_models::ring(p5, 1, 500)}),
        exact_models::ring(p5, 1, 200), Certificate_verdict::LEAKY_BAND}};
   for(const Case& c : cases)
     for(unsigned round = 0; round < 10; ++round)
@@ -168,8 +175,8 @@ TEST(CertificateProperties, NothingIsCertifiedOnConvexPolyhedra)
 {
   std::vector<Soup> convex = {test_meshes::box(1, 1, 1), test_meshes::box(3, 2, 1), test_meshes::tetrahedron()};
   for(int n = 3; n <= 12; ++n)
-    convex.push_back(exact_models::tube({exact_models::ring(exact_models::polygon(n), 1, 0),
-                                         exact_models::ring(exact_models::polygon(n), 1, 700)}));
+    convex.push_back(exact_models::tube(
+        {exact_models::ring(exact_models::polygon(n), 1, 0), exact_models::ring(exact_models::polygon(n), 1, 700)}));
   for(unsigned seed = 0; seed < 100; ++seed)
     convex.push_back(test_meshes::random_hull(seed, 30));
   std::mt19937 random(7);
@@ -223,8 +230,8 @@ Arc arc_on_grid(const Mesh& mesh, const Position& from, const Position& to)
   {
     const Mesh::Halfedge_index beyond = mesh.next(out);
     const auto p = mesh.point(mesh.source(beyond)), q = mesh.point(mesh.target(beyond));
-    const bool is_ahead = ((p.x() + q.x()) / 2 - from[0]) * (to[0] - from[0]) +
-                              ((p.y() + q.y()) / 2 - from[1]) * (to[1] - from[1]) > 0;
+    const bool is_ahead =
+        ((p.x() + q.x()) / 2 - from[0]) * (to[0] - from[0]) + ((p.y() + q.y()) / 2 - from[1]) * (to[1] - from[1]) > 0;
     if(p.z() == 1 && q.z() == 1 && is_crossed(beyond) && is_ahead)
       h = beyond;
   }
@@ -242,7 +249,7 @@ Arc arc_on_grid(const Mesh& mesh, const Position& from, const Position& to)
 }
 
 // The verdict on a closed polygon of straight lines on a plane grid.
-Certificate_verdict meeting_of_polygon(const std::vector<std::array<int, 2> >& corners)
+Certificate_verdict meeting_of_polygon(const std::vector<std::array<int, 2>>& corners)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::box(12, 12, 1));
   std::vector<Arc> arcs;

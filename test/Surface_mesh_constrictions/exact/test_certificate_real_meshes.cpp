@@ -40,9 +40,9 @@ typedef CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Po
 
 // The combinatorics of what is found.
 template <class AnyMesh>
-std::vector<std::vector<std::size_t> > combinatorial_curves(const AnyMesh& mesh)
+std::vector<std::vector<std::size_t>> combinatorial_curves(const AnyMesh& mesh)
 {
-  std::vector<std::vector<std::size_t> > result;
+  std::vector<std::vector<std::size_t>> result;
   for(const auto& c : detect_all_in_time(mesh))
   {
     result.emplace_back();
@@ -77,7 +77,7 @@ class FoundCurves : public ::testing::TestWithParam<const char*>
 TEST_P(FoundCurves, AreCertifiedAndNoTieIsLeft)
 {
   const Mesh mesh = read<Mesh>(GetParam());
-  const std::vector<Constriction<Mesh> > found = detect_all_in_time(mesh);
+  const std::vector<Constriction<Mesh>> found = detect_all_in_time(mesh);
   EXPECT_TRUE(!found.empty() || (sanitizers::are_on && mesh.number_of_faces() > 3000));
   for(const auto& c : found)
   {
@@ -112,7 +112,7 @@ TEST(Certificates, ExactArithmeticCorrectsMachineParts)
 }
 
 typedef CGAL::Interval_nt<false> Interval;
-typedef internal::Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point> > Surface;
+typedef internal::Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point>> Surface;
 
 const Interval pi(CGAL_PI, std::nextafter(CGAL_PI, 4.)); // the double nearest to pi is less than pi
 
@@ -141,7 +141,7 @@ Interval angle(const internal::Planar<Interval>& z)
 // Bounds of the side angles of a certified curve, added up over its pivots; each goes counterclockwise from one arc
 // to the other.
 Interval sum_of_side_angles(const Surface& surface, const internal::Interval_arithmetic<Surface>& arithmetic,
-                            const std::vector<internal::Exact_arc<Surface> >& arcs, Curve_side side)
+                            const std::vector<internal::Exact_arc<Surface>>& arcs, Curve_side side)
 {
   Interval sum(0);
   for(std::size_t i = 0; i < arcs.size(); ++i)
@@ -170,11 +170,11 @@ class GenusZero : public ::testing::TestWithParam<const char*>
 TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
 {
   const Mesh mesh = read<Mesh>(GetParam());
-  const std::vector<Constriction<Mesh> > found = detect_all_in_time(mesh);
+  const std::vector<Constriction<Mesh>> found = detect_all_in_time(mesh);
   EXPECT_TRUE(!found.empty() || (sanitizers::are_on && mesh.number_of_faces() > 3000));
   const Surface surface(mesh, mesh.points());
   internal::Sign_prover<Surface> prover(surface);
-  std::vector<std::vector<internal::Exact_arc<Surface> > > arcs;
+  std::vector<std::vector<internal::Exact_arc<Surface>>> arcs;
   for(const auto& c : found)
     arcs.push_back(internal::arcs_of_locations(prover, c.locations()).arcs);
 
@@ -187,9 +187,15 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
   {
     const auto& c = found[number];
     // the vertices that the curve leaves on either side of an edge, and those that can be reached from them
-    enum { UNKNOWN, LEFT, RIGHT, PIVOT };
+    enum
+    {
+      UNKNOWN,
+      LEFT,
+      RIGHT,
+      PIVOT
+    };
     std::vector<int> side(mesh.number_of_vertices(), UNKNOWN);
-    std::map<std::pair<Mesh::size_type, Mesh::size_type>, std::vector<double> > crossings; // parameters, from either end
+    std::map<std::pair<Mesh::size_type, Mesh::size_type>, std::vector<double>> crossings; // parameters, from either end
     std::vector<Mesh::Vertex_index> stack;
     const auto put_on = [&](Mesh::Vertex_index v, int s) {
       if(side[v] == PIVOT)

@@ -141,10 +141,7 @@ struct RootsOfSix : public ::testing::Test
   Square_root_basis basis = Square_root_basis({2, 3, 6});
   Radical_field field = Radical_field(basis.basis());
 
-  Radical_number radical(int r)
-  {
-    return Radical_number(basis.root(r).coefficient, basis.root(r).mask, field);
-  }
+  Radical_number radical(int r) { return Radical_number(basis.root(r).coefficient, basis.root(r).mask, field); }
   Radical_number radical_integer(int n) { return Radical_number(n, 0, field); }
 
   Finite_field_number modular(int r) const
@@ -219,9 +216,15 @@ TEST(PlanarDisc, EnclosesProductsSumsAndDeterminants)
       const Planar<Rational> g(fraction(a, d), fraction(b, d));
       switch(integer(random) & 3)
       {
-      case 0: z = z + f, exact = exact + g; break;
-      case 1: z = z - f, exact = exact - g; break;
-      case 2: z = conjugate(z), exact = conjugate(exact); break;
+      case 0:
+        z = z + f, exact = exact + g;
+        break;
+      case 1:
+        z = z - f, exact = exact - g;
+        break;
+      case 2:
+        z = conjugate(z), exact = conjugate(exact);
+        break;
       default:
         if(a != 0 || b != 0)
           z = z * f, exact = exact * g;
@@ -244,7 +247,7 @@ TEST(PlanarDisc, StaysNarrowInLongProducts)
 }
 
 typedef test_meshes::Mesh Mesh;
-typedef Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point> > Surface;
+typedef Graph_surface<Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point>> Surface;
 
 TEST(SignProver, EachStageDecidesWhatItIsFor)
 {
@@ -324,7 +327,7 @@ TEST(SignProver, WhatHasNoImageInTheFiniteFieldIsProvedByTheBasis)
     const Kernel::Point_3 p = mesh.point(v);
     mesh.point(v) = Kernel::Point_3(p.x() / prime, p.y() / prime, p.z() / prime);
   }
-  typedef Graph_surface<Exact_mesh, Exact_mesh::Property_map<Exact_mesh::Vertex_index, Kernel::Point_3> > Exact_surface;
+  typedef Graph_surface<Exact_mesh, Exact_mesh::Property_map<Exact_mesh::Vertex_index, Kernel::Point_3>> Exact_surface;
   const Exact_surface surface(mesh, mesh.points());
   Sign_prover<Exact_surface> prover(surface);
   const Exact_mesh::Halfedge_index h = *halfedges(mesh).begin();
@@ -397,7 +400,7 @@ TEST(AngleSum, AgreesWithTheSumOfTheAngles)
   std::size_t decided = 0;
   for(int round = 0; round < 5000; ++round)
   {
-    std::vector<Planar<Interval> > angles;
+    std::vector<Planar<Interval>> angles;
     double sum = 0;
     for(int n = 1 + static_cast<int>(random() % 6); n > 0; --n)
     {

@@ -28,13 +28,13 @@ using exact_models::Soup;
 using test_meshes::Mesh;
 
 using curve_to_settle::Curve;
-using curve_to_settle::Point_map;
 using curve_to_settle::loop_of;
+using curve_to_settle::Point_map;
 
 TEST(ExactSettler, SpursAndDetoursAreShortenedAway)
 {
   const Soup soup = test_meshes::boxes_with_tube(4);
-  for(const std::vector<Position>& loop : std::vector<std::vector<Position> >{
+  for(const std::vector<Position>& loop : std::vector<std::vector<Position>>{
           {{{4, 1, 1}}, {{3, 1, 1}}, {{2, 1, 1}}, {{3, 1, 1}}, {{4, 1, 1}}, {{4, 2, 1}}, {{4, 2, 2}}, {{4, 1, 2}}},
           {{{4, 1, 1}}, {{3, 1, 1}}, {{3, 2, 1}}, {{4, 2, 1}}, {{4, 2, 2}}, {{4, 1, 2}}},
           {{{4, 1, 1}}, {{5, 1, 1}}, {{5, 2, 1}}, {{4, 2, 1}}, {{4, 2, 2}}, {{3, 2, 2}}, {{3, 1, 2}}, {{4, 1, 2}}}})
@@ -55,12 +55,10 @@ TEST(ExactSettler, ABandIsRepresentedByTheEndWithTheSmallerVertex)
   for(unsigned seed = 0; seed < 8; ++seed)
   {
     const Soup soup = test_meshes::relabelled(test_meshes::boxes_with_tube(3), seed);
-    const auto ring = [&soup](double x) {
-      return loop_of(soup, {{{x, 1, 1}}, {{x, 2, 1}}, {{x, 2, 2}}, {{x, 1, 2}}});
-    };
+    const auto ring = [&soup](double x) { return loop_of(soup, {{{x, 1, 1}}, {{x, 2, 1}}, {{x, 2, 2}}, {{x, 1, 2}}}); };
     std::vector<Index> begin = ring(2), end = ring(5);
-    const Index smallest = std::min(*std::min_element(begin.begin(), begin.end()),
-                                    *std::min_element(end.begin(), end.end()));
+    const Index smallest =
+        std::min(*std::min_element(begin.begin(), begin.end()), *std::min_element(end.begin(), end.end()));
     for(double x : {2, 3, 4, 5})
     {
       Curve curve(soup, ring(x));
@@ -89,8 +87,11 @@ TEST(ExactSettler, WhatSlipsOffDegeneratesAndTheSignsThatShowedItCount)
   expect_degenerate(cone);
 
   const Soup box = test_meshes::box(3, 2, 2);
-  Curve belt(box, loop_of(box, {{{1, 0, 0}}, {{1, 1, 0}}, {{1, 2, 0}}, {{1, 2, 1}}, {{1, 2, 2}}, {{1, 1, 2}},
-                                {{1, 0, 2}}, {{1, 0, 1}}}));
+  Curve belt(
+      box,
+      loop_of(
+          box,
+          {{{1, 0, 0}}, {{1, 1, 0}}, {{1, 2, 0}}, {{1, 2, 1}}, {{1, 2, 2}}, {{1, 1, 2}}, {{1, 0, 2}}, {{1, 0, 1}}}));
   expect_degenerate(belt);
 
   const Soup tube = test_meshes::boxes_with_tube(4);
@@ -216,8 +217,8 @@ TEST(ExactSettler, EveryLoopEndsInAConstrictionOrShrinksOrMeetsItself)
       continue;
     }
     EXPECT_LE(curve.length(), before * (1 + 1e-14));
-    const bool is_certified = verdict == Certificate_verdict::STRICT_CONSTRICTION ||
-                              verdict == Certificate_verdict::CONSTRICTION;
+    const bool is_certified =
+        verdict == Certificate_verdict::STRICT_CONSTRICTION || verdict == Certificate_verdict::CONSTRICTION;
     EXPECT_TRUE(is_certified || verdict == Certificate_verdict::TOUCHES_ITSELF ||
                 verdict == Certificate_verdict::CROSSES_ITSELF)
         << "seed " << seed << ", verdict " << static_cast<int>(verdict);
@@ -255,7 +256,7 @@ TEST(ExactStringPuller, BendsWhereFloatingPointDoes)
       puller.pull(u, strip, w, arcs);
       if(strip.empty())
         continue;
-      std::vector<internal::Exact_arc<Surface> > exact_arcs;
+      std::vector<internal::Exact_arc<Surface>> exact_arcs;
       ASSERT_TRUE(exact_puller.pull(u, strip, w, exact_arcs));
       ASSERT_EQ(exact_arcs.size(), arcs.size());
       for(std::size_t i = 0; i < arcs.size(); ++i)

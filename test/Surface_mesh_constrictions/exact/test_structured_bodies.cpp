@@ -32,14 +32,14 @@ namespace test_structured_bodies {
 
 using namespace CGAL::Surface_mesh_constrictions;
 using curve_to_settle::Curve;
-using curve_to_settle::Point_map;
 using curve_to_settle::loop_of;
+using curve_to_settle::Point_map;
 using exact_models::Position;
 using exact_models::Soup;
 using internal::Rational;
 using internal::Root_sum;
 
-typedef std::vector<std::array<double, 2> > Profile; // of (radius, height)
+typedef std::vector<std::array<double, 2>> Profile; // of (radius, height)
 
 // The surface that a closed profile sweeps around a regular polygon of n corners. Vertex i of ring r is r n + i.
 Soup lathe(int n, const Profile& profile)
@@ -118,7 +118,7 @@ void expect_verdict_anew(const Curve& curve, Certificate_verdict verdict)
   typedef internal::Imported_surface<test_meshes::Mesh, Point_map> Surface;
   const Surface surface(curve.pm, curve.imported, curve.mesh.points());
   internal::Certifier<Surface> certifier(surface);
-  std::vector<internal::Exact_arc<Surface> > arcs;
+  std::vector<internal::Exact_arc<Surface>> arcs;
   for(const internal::Arc& a : internal::arcs_of_curve(curve.network, curve.id))
     arcs.push_back({a.from, a.to, a.along, {a.crossings.begin(), a.crossings.end()}, 0});
   EXPECT_EQ(certifier.examine(arcs).certificate.verdict, verdict);
@@ -167,7 +167,7 @@ TEST(PrismaticStrip, TurnsAsTheUnfoldedStripDoes)
   for(int n : {3, 4, 5, 6})
   {
     const auto polygon = exact_models::polygon(n);
-    std::vector<std::vector<Position> > rings;
+    std::vector<std::vector<Position>> rings;
     for(int r = 0; r < 5; ++r)
       rings.push_back(exact_models::ring(polygon, 1, 300 * r));
     const Curve mesh(exact_models::tube(rings), {});
@@ -384,8 +384,8 @@ const std::array<Position, 3> axes = {{{{0.10454287898179526, 0.6627097812339403
                                        {{0.3202172736720537, -0.7283516258765991, -0.6057762018476393}},
                                        {{-0.9415581150923374, -0.1741254000419744, -0.28835509526274616}}}};
 
-// Rotated and rounded to single precision the meridians of a washer are twins, which correction moves: of those that are
-// passed by each may then stand for the other.
+// Rotated and rounded to single precision the meridians of a washer are twins, which correction moves: of those that
+// are passed by each may then stand for the other.
 TEST(StructuredBodies, AWasherOfWhichTwinsStandForEachOtherHasItsThroat)
 {
   const double r = 0.5000012138511418, h = 3.614806257030315;
@@ -403,13 +403,13 @@ TEST(StructuredBodies, AWasherOfWhichTwinsStandForEachOtherHasItsThroat)
 // not each for itself.
 TEST(StructuredBodies, OneMeridianOfARotatedWasherStandsForAll)
 {
-  for(const std::size_t n : {48, 64})
+  for(const int n : {48, 64})
   {
     Soup soup = lathe(n, {{{1, 0}}, {{1, 1.5}}, {{1, 3}}, {{2, 3}}, {{2, 0}}});
     place(soup, axes, {{0, 0, 0}});
     const auto curves = detection::detect(test_meshes::make_mesh(soup));
     ASSERT_EQ(curves.size(), 2u) << n;
-    EXPECT_NEAR(curves[0].length(), static_cast<double>(2 * n) * std::sin(CGAL_PI / static_cast<double>(n)), 1e-9);
+    EXPECT_NEAR(curves[0].length(), 2 * n * std::sin(CGAL_PI / n), 1e-9);
     EXPECT_NEAR(curves[1].length(), 8, 0.1); // around the ring, a little shorter than straight along the axis
   }
 }

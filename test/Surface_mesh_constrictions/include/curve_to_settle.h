@@ -33,11 +33,8 @@ struct Curve
   Index id;
 
   Curve(const Soup& soup, const std::vector<Index>& loop)
-    : mesh(test_meshes::make_mesh(soup)),
-      imported(mesh, mesh.points(), get(boost::vertex_index, mesh)),
-      pm(imported.table, imported.points),
-      network(pm, false),
-      settler(pm, imported, mesh.points()),
+    : mesh(test_meshes::make_mesh(soup)), imported(mesh, mesh.points(), get(boost::vertex_index, mesh)),
+      pm(imported.table, imported.points), network(pm, false), settler(pm, imported, mesh.points()),
       id(network.add_curve(0, loop))
   {}
 

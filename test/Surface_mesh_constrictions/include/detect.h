@@ -15,31 +15,31 @@
 namespace detection {
 
 template <class Mesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
-std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> >
+std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh>>
 detect(const Mesh& mesh, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > result;
+  std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh>> result;
   CGAL::Surface_mesh_constrictions::detect_constrictions(mesh, std::back_inserter(result), np);
   return result;
 }
 
 // Without a selection.
 template <class Mesh>
-std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > detect_all(const Mesh& mesh)
+std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh>> detect_all(const Mesh& mesh)
 {
   return detect(mesh, CGAL::Surface_mesh_constrictions::parameters::all_constrictions(true));
 }
 
 // The same, but with the sanitizers of larger meshes only what is selected.
 template <class Mesh>
-std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > detect_all_in_time(const Mesh& mesh)
+std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh>> detect_all_in_time(const Mesh& mesh)
 {
   return sanitizers::are_on && num_faces(mesh) > 3000 ? detect(mesh) : detect_all(mesh);
 }
 
 // Without a selection, from non-face triangles only.
 template <class Mesh>
-std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > detect_all_from_triangles(const Mesh& mesh)
+std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh>> detect_all_from_triangles(const Mesh& mesh)
 {
   namespace SMC = CGAL::Surface_mesh_constrictions;
   return detect(mesh, SMC::parameters::all_constrictions(

@@ -90,7 +90,8 @@ private:
       const Halfedge begin = first_halfedge(v);
       Halfedge h = begin;
       double sum = 0;
-      do {
+      do
+      {
         m_offset[h] = sum;
         sum += m_mesh.is_border(h) ? std::numeric_limits<double>::infinity() : std::arg(corner(h));
         h = m_mesh.opposite(m_mesh.prev(h));
@@ -128,7 +129,8 @@ private:
   {
     const Halfedge begin = first_halfedge(v);
     Halfedge h = begin;
-    do {
+    do
+    {
       add_segment(v, m_mesh.target(h), edge_length(h), m_offset[h], m_offset[m_mesh.opposite(h)], {}, 0);
       if(m_mesh.is_border(h))
         break;
@@ -308,8 +310,8 @@ private:
   std::vector<double> m_offset; // of halfedges
   std::vector<double> m_total;  // of vertices
   std::vector<Segment> m_segments;
-  std::vector<std::vector<std::size_t> > m_segments_from;
-  std::vector<std::vector<double> > m_distance;
+  std::vector<std::vector<std::size_t>> m_segments_from;
+  std::vector<std::vector<double>> m_distance;
   std::set<Key> m_known;
   std::vector<Constriction> m_constrictions;
 };

@@ -23,7 +23,7 @@ using test_meshes::Soup;
 using test_meshes::Soup_builder;
 
 // Rings of the same number of points, joined one to the next by quadrilaterals, and closed by a fan at both ends.
-inline Soup tube(const std::vector<std::vector<Position> >& rings, bool is_twisted = false)
+inline Soup tube(const std::vector<std::vector<Position>>& rings, bool is_twisted = false)
 {
   Soup_builder b;
   const std::size_t n = rings.front().size();
@@ -42,7 +42,7 @@ inline Soup tube(const std::vector<std::vector<Position> >& rings, bool is_twist
 }
 
 // A ring of points (factor * x, factor * y, z).
-inline std::vector<Position> ring(const std::vector<std::array<int, 2> >& polygon, double factor, double z)
+inline std::vector<Position> ring(const std::vector<std::array<int, 2>>& polygon, double factor, double z)
 {
   std::vector<Position> result;
   for(const auto& p : polygon)
@@ -50,12 +50,12 @@ inline std::vector<Position> ring(const std::vector<std::array<int, 2> >& polygo
   return result;
 }
 
-inline std::vector<std::array<int, 2> > square() { return {{{1, -1}}, {{1, 1}}, {{-1, 1}}, {{-1, -1}}}; }
+inline std::vector<std::array<int, 2>> square() { return {{{1, -1}}, {{1, 1}}, {{-1, 1}}, {{-1, -1}}}; }
 
 // A convex polygon with integer corners close to a circle.
-inline std::vector<std::array<int, 2> > polygon(int n)
+inline std::vector<std::array<int, 2>> polygon(int n)
 {
-  std::vector<std::array<int, 2> > result;
+  std::vector<std::array<int, 2>> result;
   for(int i = 0; i < n; ++i)
     result.push_back({{static_cast<int>(std::lround(1000 * std::cos(2 * CGAL_PI * i / n))),
                        static_cast<int>(std::lround(1000 * std::sin(2 * CGAL_PI * i / n)))}});
@@ -71,10 +71,7 @@ inline Soup prism_chain(int n, double height)
 }
 
 // Two frusta joined at a square of side 2 a: a strict constriction of length 8 a.
-inline Soup waist(int a)
-{
-  return tube({ring(square(), 3 * a, 0), ring(square(), a, 5), ring(square(), 3 * a, 10)});
-}
+inline Soup waist(int a) { return tube({ring(square(), 3 * a, 0), ring(square(), a, 5), ring(square(), 3 * a, 10)}); }
 
 // Rings that are turned by 45 degrees from one to the next. The middle one, of length 8 sqrt(2), is a strict
 // constriction: at each of its points three corners add up to more than pi on either side.
@@ -172,8 +169,9 @@ inline Soup tube_that_turns_to_and_fro(int m)
 
 inline std::size_t vertex_at_height(const Soup& soup, double z)
 {
-  return static_cast<std::size_t>(std::find_if(soup.points.begin(), soup.points.end(),
-                                               [z](const Position& p) { return p[2] == z; }) - soup.points.begin());
+  return static_cast<std::size_t>(
+      std::find_if(soup.points.begin(), soup.points.end(), [z](const Position& p) { return p[2] == z; }) -
+      soup.points.begin());
 }
 
 // What a curve crosses that starts at a vertex and stays at its height until it is back; height(w) is that of a vertex.
@@ -217,8 +215,8 @@ inline std::vector<std::size_t> vertices_at(const Soup& soup, const std::vector<
 {
   std::vector<std::size_t> result;
   for(const Position& p : positions)
-    result.push_back(static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), p) -
-                                              soup.points.begin()));
+    result.push_back(
+        static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), p) - soup.points.begin()));
   return result;
 }
 
@@ -238,7 +236,8 @@ void rotate(Mesh& mesh, std::mt19937& random, double scale)
   typedef typename CGAL::Kernel_traits<Point>::Kernel::FT FT;
   std::uniform_int_distribution<int> integer(-9, 9);
   int q[4];
-  do {
+  do
+  {
     for(int& x : q)
       x = integer(random);
   } while(q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0);

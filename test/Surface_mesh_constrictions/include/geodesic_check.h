@@ -35,8 +35,8 @@ Complex unfold(const Point& a, const Point& b, const Point& c, Complex za, Compl
   return za + (zb - za) * Complex(uv, std::sqrt(std::max(0.0, uu * vv - uv * uv))) / uu;
 }
 
-// The curve is as long as its points say and passes no vertex twice. Both side angles of a pivot are at least pi and add
-// up to its total angle, and between two pivots the crossings lie on a straight line in the unfolding.
+// The curve is as long as its points say and passes no vertex twice. Both side angles of a pivot are at least pi and
+// add up to its total angle, and between two pivots the crossings lie on a straight line in the unfolding.
 template <class Mesh>
 void expect_closed_geodesic(const Mesh& mesh, const CGAL::Surface_mesh_constrictions::Constriction<Mesh>& c,
                             double tolerance = 1e-9)
@@ -71,8 +71,9 @@ void expect_closed_geodesic(const Mesh& mesh, const CGAL::Surface_mesh_constrict
       continue;
     }
     for(Halfedge h : CGAL::halfedges_around_target(pivot.vertex, mesh))
-      total += CGAL::approximate_angle(point(source(h, mesh)), point(pivot.vertex), point(target(next(h, mesh), mesh))) *
-               CGAL_PI / 180;
+      total +=
+          CGAL::approximate_angle(point(source(h, mesh)), point(pivot.vertex), point(target(next(h, mesh), mesh))) *
+          CGAL_PI / 180;
     EXPECT_NEAR(pivot.left_angle + pivot.right_angle, total, 1e-9);
   }
 
@@ -93,7 +94,8 @@ void expect_closed_geodesic(const Mesh& mesh, const CGAL::Surface_mesh_constrict
     {
       crossings.push_back(za + locations[i].parameter * (zb - za));
       const Halfedge o = opposite(h, mesh);
-      const Complex apex = unfold(point(source(o, mesh)), point(target(o, mesh)), point(target(next(o, mesh), mesh)), zb, za);
+      const Complex apex =
+          unfold(point(source(o, mesh)), point(target(o, mesh)), point(target(next(o, mesh), mesh)), zb, za);
       i = (i + 1) % n;
       if(locations[i].is_pivot)
       {

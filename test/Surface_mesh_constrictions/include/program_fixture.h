@@ -115,8 +115,7 @@ struct Result
   std::string out, err;
 };
 
-class Program
-  : public testing::Test
+class Program : public testing::Test
 {
 protected:
   Program()

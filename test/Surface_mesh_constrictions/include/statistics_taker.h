@@ -7,8 +7,7 @@
 namespace statistics_taker {
 
 // A visitor that takes the statistics of a detection.
-struct Statistics_taker
-  : public CGAL::Surface_mesh_constrictions::Detection_visitor_base
+struct Statistics_taker : public CGAL::Surface_mesh_constrictions::Detection_visitor_base
 {
   typedef CGAL::Surface_mesh_constrictions::Detection_statistics Statistics;
 

@@ -47,9 +47,10 @@ Graph make_graph(const Soup& soup)
     put(get(CGAL::vertex_point, graph), vertices.back(), Point(p[0], p[1], p[2]));
   }
   for(const Triangle& t : soup.faces)
-    CGAL::Euler::add_face(std::array<typename boost::graph_traits<Graph>::vertex_descriptor, 3>{
-                              {vertices[t[0]], vertices[t[1]], vertices[t[2]]}},
-                          graph);
+    CGAL::Euler::add_face(
+        std::array<typename boost::graph_traits<Graph>::vertex_descriptor, 3>{
+            {vertices[t[0]], vertices[t[1]], vertices[t[2]]}},
+        graph);
   return graph;
 }
 
@@ -141,16 +142,16 @@ Soup voxels(const std::array<int, 3>& size, Is_inside is_inside, const Position&
 // A box of nx x ny x nz unit cells: every face is subdivided, and only the eight corners are not flat.
 inline Soup box(int nx, int ny, int nz, const Position& scale = {{1, 1, 1}})
 {
-  return voxels({{nx, ny, nz}}, [](int, int, int) { return true; }, scale);
+  return voxels(
+      {{nx, ny, nz}}, [](int, int, int) { return true; }, scale);
 }
 
 // Two boxes of 3 x 3 cross-section joined by a square tube of side 1 that is `length` long. The one constriction is a
 // square around the tube, of length 4.
 inline Soup boxes_with_tube(int length)
 {
-  return voxels({{4 + length, 3, 3}}, [length](int i, int j, int k) {
-    return i < 2 || i >= 2 + length || (j == 1 && k == 1);
-  });
+  return voxels({{4 + length, 3, 3}},
+                [length](int i, int j, int k) { return i < 2 || i >= 2 + length || (j == 1 && k == 1); });
 }
 
 // A frame of square cross-section around a hole: genus 1.
@@ -161,8 +162,7 @@ inline Soup square_ring()
 
 inline Soup tetrahedron()
 {
-  return {{{{0, 0, 0}}, {{2, 0, 0}}, {{0, 3, 0}}, {{0, 0, 4}}},
-          {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{0, 3, 2}}}};
+  return {{{{0, 0, 0}}, {{2, 0, 0}}, {{0, 3, 0}}, {{0, 0, 4}}}, {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{0, 3, 2}}}};
 }
 
 inline Soup prism(int n, double height)
@@ -182,10 +182,10 @@ inline Soup prism(int n, double height)
   return b.soup;
 }
 
-// A surface of revolution about the z axis with caps, with seeded noise of the given size. The rings of the profile have
-// radius and height; below the first and above the last one are the apexes `bottom` and `top`.
-inline Soup revolution_of_profile(const std::vector<std::array<double, 2> >& profile, double bottom, double top, int around,
-                                  double noise, unsigned seed)
+// A surface of revolution about the z axis with caps, with seeded noise of the given size. The rings of the profile
+// have radius and height; below the first and above the last one are the apexes `bottom` and `top`.
+inline Soup revolution_of_profile(const std::vector<std::array<double, 2>>& profile, double bottom, double top,
+                                  int around, double noise, unsigned seed)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-noise, noise);
@@ -222,7 +222,7 @@ inline Soup revolution_of_profile(const std::vector<std::array<double, 2> >& pro
 template <class Radius>
 Soup revolution(Radius radius, double height, int along, int around, double noise, unsigned seed)
 {
-  std::vector<std::array<double, 2> > profile;
+  std::vector<std::array<double, 2>> profile;
   for(int i = 0; i <= along; ++i)
   {
     const double s = static_cast<double>(i) / along;
@@ -231,11 +231,11 @@ Soup revolution(Radius radius, double height, int along, int around, double nois
   return revolution_of_profile(profile, -0.2, height + 0.2, around, noise, seed);
 }
 
-// A hollow bottle: a straight outer wall of radius 1.2, joined at the rim to an inner wall with a neck of radius 0.3 at the
-// height 2, below it the belly and above it the mouth. Closed, of genus 0.
+// A hollow bottle: a straight outer wall of radius 1.2, joined at the rim to an inner wall with a neck of radius 0.3 at
+// the height 2, below it the belly and above it the mouth. Closed, of genus 0.
 inline Soup bottle(double noise, unsigned seed, int around = 18)
 {
-  std::vector<std::array<double, 2> > profile;
+  std::vector<std::array<double, 2>> profile;
   for(int i = 0; i <= 16; ++i)
     profile.push_back({{1.2, 0.2 * i}});
   for(int i = 15; i >= 2; --i)
@@ -275,7 +275,8 @@ inline Soup torus(double noise, unsigned seed, int along = 30, int around = 14, 
     {
       const double u = 2 * CGAL_PI * i / along, v = 2 * CGAL_PI * j / around;
       const double r = 1 - pinch * std::cos(u) + uniform(random);
-      soup.points.push_back({{(3 + r * std::cos(v)) * std::cos(u), (3 + r * std::cos(v)) * std::sin(u), r * std::sin(v)}});
+      soup.points.push_back(
+          {{(3 + r * std::cos(v)) * std::cos(u), (3 + r * std::cos(v)) * std::sin(u), r * std::sin(v)}});
     }
   const auto at = [&](int i, int j) { return static_cast<std::size_t>((i % along) * around + j % around); };
   for(int i = 0; i < along; ++i)

@@ -98,10 +98,9 @@ TEST(Caps, VolumesOfPartsAddUpOnRealMeshes)
     EXPECT_LT(relative_error_of_volumes(mesh, selected), 1e-9);
     if(mesh.number_of_faces() > (sanitizers::are_on ? 3000u : 20000u))
       continue;
-    SMC::detect_constrictions(
-        mesh, std::back_inserter(all),
-        SMC::parameters::certify(false, SMC::parameters::crossing_constrictions(true,
-                                                                                SMC::parameters::minimum_prominence(0.01))));
+    SMC::detect_constrictions(mesh, std::back_inserter(all),
+                              SMC::parameters::certify(false, SMC::parameters::crossing_constrictions(
+                                                                  true, SMC::parameters::minimum_prominence(0.01))));
     EXPECT_LT(relative_error_of_volumes(mesh, all), 1e-9); // with many that touch each other or share edges
   }
 }
@@ -182,7 +181,8 @@ TEST(Caps, ThoseOfOneCutAreTheSameSurface)
   std::vector<Triangle> common;
   std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(common));
   EXPECT_EQ(common.size(), n - 2);
-  EXPECT_EQ(mesh.number_of_faces() + 2 * (n - 2), parts.meshes[0].number_of_faces() + parts.meshes[1].number_of_faces());
+  EXPECT_EQ(mesh.number_of_faces() + 2 * (n - 2),
+            parts.meshes[0].number_of_faces() + parts.meshes[1].number_of_faces());
 }
 
 // A cup of radius 3 and height 3 with a column in it, cut along the inner edge of its rim.

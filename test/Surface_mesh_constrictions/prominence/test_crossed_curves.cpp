@@ -20,13 +20,13 @@ namespace test_crossed_curves {
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using SMC::internal::Trace_point;
 using test_meshes::Mesh;
-typedef std::vector<std::vector<Trace_point> > Traces;
+typedef std::vector<std::vector<Trace_point>> Traces;
 
 // For each curve the earlier ones that it crosses there and back.
-std::vector<std::vector<SMC::Index> > crossings(const SMC::Progressive_mesh& pm, const Traces& traces)
+std::vector<std::vector<SMC::Index>> crossings(const SMC::Progressive_mesh& pm, const Traces& traces)
 {
   SMC::internal::Crossed_curves crossed(pm);
-  std::vector<std::vector<SMC::Index> > result;
+  std::vector<std::vector<SMC::Index>> result;
   for(const std::vector<Trace_point>& t : traces)
   {
     result.push_back(crossed.crossed_by(t));
@@ -41,14 +41,14 @@ TEST(CrossedCurves, TheDirectionsOfCurvesDoNotMatter)
   for(const char* name : {"eight.off", "pig.off"})
   {
     const Mesh mesh = real_meshes::read(name);
-    const std::vector<SMC::Constriction<Mesh> > curves = detection::detect_all(mesh);
+    const std::vector<SMC::Constriction<Mesh>> curves = detection::detect_all(mesh);
     const auto points = get(CGAL::vertex_point, mesh);
     const auto numbers = get(boost::vertex_index, mesh);
     typedef SMC::internal::Imported_mesh<Mesh> Imported;
     Imported imported(mesh, points, numbers);
     const SMC::Progressive_mesh pm(imported.table, imported.points);
     Traces traces = SMC::internal::traces_of(curves, imported, numbers, pm);
-    const std::vector<std::vector<SMC::Index> > expected = crossings(pm, traces);
+    const std::vector<std::vector<SMC::Index>> expected = crossings(pm, traces);
     std::size_t number = 0;
     for(const std::vector<SMC::Index>& e : expected)
       number += e.size();

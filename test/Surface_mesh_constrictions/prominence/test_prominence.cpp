@@ -41,9 +41,9 @@ const double around = 48 * std::sin(CGAL_PI / 24);
 // A surface of revolution with these radii at equal distances, each circle a regular 24-gon.
 Mesh revolution(const std::vector<double>& radii)
 {
-  return test_meshes::make_mesh(
-      test_meshes::revolution([&](double s) { return profile(radii, s); }, 3. * static_cast<double>(radii.size() - 1),
-                              8 * static_cast<int>(radii.size() - 1), 24, 0, 0));
+  return test_meshes::make_mesh(test_meshes::revolution([&](double s) { return profile(radii, s); },
+                                                        3. * static_cast<double>(radii.size() - 1),
+                                                        8 * static_cast<int>(radii.size() - 1), 24, 0, 0));
 }
 
 TEST(Prominence, TheBarrierOfANeckIsTheLowerOfTheBulgesBesideIt)
@@ -120,8 +120,8 @@ TEST(Prominence, OfTheMeridiansOfABumpyTorusFewAreProminent)
 TEST(Prominence, TheAreaBetweenTwoCurvesIsThatOfTheShorterWay)
 {
   const std::size_t along = 12, across = 8;
-  const SMC::Progressive_mesh pm = test_meshes::make_progressive(
-      test_meshes::torus(0, 1, static_cast<int>(along), static_cast<int>(across)));
+  const SMC::Progressive_mesh pm =
+      test_meshes::make_progressive(test_meshes::torus(0, 1, static_cast<int>(along), static_cast<int>(across)));
   const SMC::internal::Surface_sides sides(pm);
   const auto meridian = [=](std::size_t i) {
     std::vector<SMC::internal::Trace_point> result;
@@ -131,8 +131,8 @@ TEST(Prominence, TheAreaBetweenTwoCurvesIsThatOfTheShorterWay)
   };
   const double whole = sides.part(meridian(0)).areas[0];
   for(std::size_t i = 0; i < along; ++i)
-    EXPECT_NEAR(sides.area_between(meridian(0), meridian(i)), whole * static_cast<double>((std::min)(i, along - i)) / 12,
-                1e-12 * whole);
+    EXPECT_NEAR(sides.area_between(meridian(0), meridian(i)),
+                whole * static_cast<double>((std::min)(i, along - i)) / 12, 1e-12 * whole);
 }
 
 TEST(Prominence, CurvesOfOtherComponentsDoNotMatter)

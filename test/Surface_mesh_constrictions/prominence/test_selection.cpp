@@ -189,9 +189,11 @@ TEST(Selection, OfABearThatIsEvenlyBuiltItIsEven)
 // A meridian, an equator, and curves that wind around a torus both ways, once and twice around the meridian.
 TEST(Selection, WhatWindsAroundATorusBothWaysIsComposed)
 {
-  const std::vector<Constriction> given = {cycle(4, 0.9, {0, 1}, {1, 2}), cycle(3, 0.5, {1}, {2}), cycle(1, 0.4, {0}, {}),
-                                           cycle(5, 0.3, {1}, {0, 2}, {1}), cycle(2, 0.2, {0}, {0, 1, 3})};
-  EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{0.5, 0.4, 0.2})); // the last is another meridian
+  const std::vector<Constriction> given = {cycle(4, 0.9, {0, 1}, {1, 2}), cycle(3, 0.5, {1}, {2}),
+                                           cycle(1, 0.4, {0}, {}), cycle(5, 0.3, {1}, {0, 2}, {1}),
+                                           cycle(2, 0.2, {0}, {0, 1, 3})};
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()),
+            (Doubles{0.5, 0.4, 0.2})); // the last is another meridian
   EXPECT_EQ(select(given, params::crossing_constrictions(true)), (Doubles{0.9, 0.5, 0.4, 0.3, 0.2}));
 }
 
@@ -295,15 +297,15 @@ TEST(Selection, ACactusHasItsTrunkAndItsArms)
   EXPECT_NEAR(curves[2].length(), 0.291, 0.001);
 }
 
-// Two rings that share a bar: the two holes, the bar, the thinnest places of the rings, and what goes around both holes.
-// Of the last there are two lengths, and each has a mirror image, which may be found or not. Those that cross are not both
-// selected.
+// Two rings that share a bar: the two holes, the bar, the thinnest places of the rings, and what goes around both
+// holes. Of the last there are two lengths, and each has a mirror image, which may be found or not. Those that cross
+// are not both selected.
 TEST(Selection, AnEightHasItsHolesAndItsRings)
 {
   std::vector<Constriction> curves;
   SMC::detect_constrictions(read("eight.off"), std::back_inserter(curves));
   std::size_t holes = 0, rings = 0, bars = 0, outlines = 0;
-  std::set<std::vector<std::size_t> > classes_of_outlines;
+  std::set<std::vector<std::size_t>> classes_of_outlines;
   for(const Constriction& c : curves)
   {
     holes += c.side() == SMC::Side::COMPLEMENT && c.length() < 0.71;

@@ -121,8 +121,8 @@ TEST(CutLocusSeeds, TheLoopAroundATubeIsFoundFromEachOfItsVertices)
     ++on_tube;
     const std::vector<Seed_curve> seeds = loops_at(pm, v);
     EXPECT_TRUE(std::any_of(seeds.begin(), seeds.end(), [&](const Seed_curve& s) {
-      return s.vertices.size() == 4 && std::all_of(s.vertices.begin(), s.vertices.end(),
-                                                   [&](Index u) { return pm.point(u).x() == 4; });
+      return s.vertices.size() == 4 &&
+             std::all_of(s.vertices.begin(), s.vertices.end(), [&](Index u) { return pm.point(u).x() == 4; });
     }));
   }
   EXPECT_EQ(on_tube, 4u);
@@ -177,13 +177,13 @@ TEST(CutLocusSeeds, ALoopThatBoundsAFaceIsNotASeed)
 TEST(CutLocusSeeds, AllRootsTogetherGiveEachLoopOnceAndTheUnionOfTheRoots)
 {
   const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::dumbbell(0.1, 5, 10, 7));
-  std::set<std::vector<Index> > by_root;
+  std::set<std::vector<Index>> by_root;
   for(Index root = 0; root < pm.number_of_vertex_ids(); ++root)
     for(const Seed_curve& s : loops_at(pm, root))
       by_root.insert(s.vertices);
   std::vector<Seed_curve> seeds;
   SMC::cut_locus_seeds(pm, std::back_inserter(seeds));
-  std::set<std::vector<Index> > together;
+  std::set<std::vector<Index>> together;
   for(const Seed_curve& s : seeds)
     EXPECT_TRUE(together.insert(s.vertices).second);
   EXPECT_EQ(together, by_root);
@@ -192,7 +192,7 @@ TEST(CutLocusSeeds, AllRootsTogetherGiveEachLoopOnceAndTheUnionOfTheRoots)
 TEST(CutLocusSeeds, FewerRootsGiveASubset)
 {
   const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::torus(0.2, 1, 12, 7));
-  std::set<std::vector<Index> > all;
+  std::set<std::vector<Index>> all;
   std::vector<Seed_curve> seeds, fewer;
   SMC::cut_locus_seeds(pm, std::back_inserter(seeds));
   for(const Seed_curve& s : seeds)
@@ -214,7 +214,7 @@ TEST(SectionSeeds, PlanesAndDistancesCutATubeAround)
       SMC::plane_section_seeds(pm, std::back_inserter(seeds));
     else
       SMC::distance_section_seeds(pm, std::back_inserter(seeds));
-    std::set<std::vector<Index> > distinct;
+    std::set<std::vector<Index>> distinct;
     bool around = false;
     for(const Seed_curve& s : seeds)
     {
@@ -222,9 +222,9 @@ TEST(SectionSeeds, PlanesAndDistancesCutATubeAround)
       EXPECT_EQ(s.origin, Seed_origin::SECTION);
       EXPECT_TRUE(distinct.insert(s.vertices).second);
       around = around || std::all_of(s.vertices.begin(), s.vertices.end(), [&](Index v) {
-        return pm.point(v).x() >= 2 && pm.point(v).x() <= 8 && std::abs(pm.point(v).y() - 1.5) <= 0.5 &&
-               std::abs(pm.point(v).z() - 1.5) <= 0.5;
-      });
+                 return pm.point(v).x() >= 2 && pm.point(v).x() <= 8 && std::abs(pm.point(v).y() - 1.5) <= 0.5 &&
+                        std::abs(pm.point(v).z() - 1.5) <= 0.5;
+               });
     }
     EXPECT_TRUE(around);
   }
@@ -289,8 +289,8 @@ TEST(SectionSeeds, LoopsAreComparedByTheLevelSetsBesideThem)
   sections.cut(heights, levels, [&loops](std::vector<Index> loop) { loops.push_back(std::move(loop)); });
   std::size_t inside = 0;
   for(const std::vector<Index>& loop : loops)
-    inside += std::all_of(loop.begin(), loop.end(),
-                          [&](Index v) { return pm.point(v).z() > 0.5 && pm.point(v).z() < 9.5; });
+    inside +=
+        std::all_of(loop.begin(), loop.end(), [&](Index v) { return pm.point(v).z() > 0.5 && pm.point(v).z() < 9.5; });
   EXPECT_GE(inside, 6u);
   EXPECT_LE(inside, (levels + 3) / 7 + 1);
 }
@@ -313,10 +313,10 @@ TEST(SectionSeeds, ComponentsAreCutApart)
 }
 
 template <class Source>
-std::vector<SMC::Constriction<test_meshes::Mesh> > detect(const test_meshes::Mesh& mesh, const Source& source,
-                                                          SMC::Detection_statistics& statistics)
+std::vector<SMC::Constriction<test_meshes::Mesh>> detect(const test_meshes::Mesh& mesh, const Source& source,
+                                                         SMC::Detection_statistics& statistics)
 {
-  std::vector<SMC::Constriction<test_meshes::Mesh> > result;
+  std::vector<SMC::Constriction<test_meshes::Mesh>> result;
   SMC::detect_constrictions(
       mesh, std::back_inserter(result),
       SMC::parameters::all_constrictions(
@@ -348,8 +348,9 @@ TEST(SeedSources, SeveralGiveWhatEachGives)
   SMC::Detection_statistics triangles, loops, both;
   detect(mesh, SMC::Non_face_triangle_seeds(), triangles);
   detect(mesh, SMC::Cut_locus_seeds(100), loops);
-  detect(mesh, SMC::Seed_sources<SMC::Non_face_triangle_seeds, SMC::Cut_locus_seeds>(SMC::Non_face_triangle_seeds(),
-                                                                                    SMC::Cut_locus_seeds(100)),
+  detect(mesh,
+         SMC::Seed_sources<SMC::Non_face_triangle_seeds, SMC::Cut_locus_seeds>(SMC::Non_face_triangle_seeds(),
+                                                                               SMC::Cut_locus_seeds(100)),
          both);
   EXPECT_GT(triangles.seeds, 0u);
   EXPECT_GT(loops.seeds, 0u);
@@ -388,8 +389,8 @@ TEST(SeedSources, SaddleConditionKeepsSeedsOfSaddlesOnly)
   // the corners where a tube meets a box: three quarters of a turn and more
   const SMC::Progressive_mesh tube = test_meshes::make_progressive(test_meshes::boxes_with_tube(3));
   std::vector<Index> waist;
-  for(const auto& yz : {std::array<int, 2>{{1, 1}}, std::array<int, 2>{{2, 1}}, std::array<int, 2>{{2, 2}},
-                        std::array<int, 2>{{1, 2}}})
+  for(const auto& yz :
+      {std::array<int, 2>{{1, 1}}, std::array<int, 2>{{2, 1}}, std::array<int, 2>{{2, 2}}, std::array<int, 2>{{1, 2}}})
     for(Index v = 0; v < tube.number_of_vertex_ids(); ++v)
       if(tube.point(v).x() == 2 && tube.point(v).y() == yz[0] && tube.point(v).z() == yz[1])
         waist.push_back(v);
@@ -417,8 +418,8 @@ TEST(SeedSources, AUserLoopThatIsNoPathOfEdgesIsRefused)
 {
   const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.02, 2));
   SMC::Detection_statistics s;
-  for(const std::vector<Index>& loop : {std::vector<Index>{0, 1}, std::vector<Index>{0, 1, 100},
-                                        std::vector<Index>{0, 1, 1000000000}})
+  for(const std::vector<Index>& loop :
+      {std::vector<Index>{0, 1}, std::vector<Index>{0, 1, 100}, std::vector<Index>{0, 1, 1000000000}})
     EXPECT_THROW(detect(mesh, SMC::Given_seeds({loop}), s), SMC::Invalid_input);
 }
 

@@ -17,7 +17,7 @@ namespace test_seeds {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using SMC::Index;
-typedef std::set<std::array<Index, 3> > Triangles;
+typedef std::set<std::array<Index, 3>> Triangles;
 
 std::array<Index, 3> sorted(const std::vector<Index>& v)
 {
@@ -67,7 +67,7 @@ TEST(Seeds, AllTrianglesThatAppearAreFoundAtTheMergedVertex)
   for(unsigned seed = 0; seed < 4; ++seed)
   {
     const test_meshes::Mesh mesh = test_meshes::make_mesh(seed % 2 == 0 ? test_meshes::dumbbell(0.1, seed, 10, 6)
-                                                                       : test_meshes::torus(0.2, seed, 9, 5));
+                                                                        : test_meshes::torus(0.2, seed, 9, 5));
     test_meshes::Mesh simplified = mesh;
     const SMC::Collapse_record record = record_collapses::record_collapses(simplified);
     SMC::Progressive_mesh pm = SMC::make_progressive_mesh(mesh, std::vector<SMC::Edge_collapse>());

@@ -71,13 +71,15 @@ void expect_collapses_keep_a_manifold(SMC::Progressive_mesh& pm, const std::vect
     ASSERT_NE(h, SMC::null_index);
     std::set<Index> neighbours;
     Index k = h;
-    do {
+    do
+    {
       neighbours.insert(pm.target(k));
       k = pm.ccw(k);
     } while(k != h);
     std::size_t common = 0;
     const Index begin = k = pm.opposite(h);
-    do {
+    do
+    {
       common += neighbours.count(pm.target(k));
       k = pm.ccw(k);
     } while(k != begin);
@@ -190,7 +192,7 @@ TEST(BlockSimplification, BlocksKnowTheirFacesAndTheVerticesInside)
   const SMC::internal::Halved_faces halved(whole.table, whole.points, 200);
   whole.reorder_faces(halved.order());
   const SMC::internal::Face_blocks blocks(whole.table, halved.first());
-  std::vector<std::set<std::size_t> > around(whole.points.size());
+  std::vector<std::set<std::size_t>> around(whole.points.size());
   for(Index b = 0; b < blocks.size(); ++b)
     for(Index f = blocks.begin(b); f < blocks.end(b); ++f)
     {

@@ -28,9 +28,9 @@ typedef SMS::Edge_profile<Mesh, SMC::internal::Lean_point_map, Kernel> Lean_prof
 typedef SMS::Edge_profile<Mesh, SMC::internal::Simplification_point_map, Kernel> Full_profile;
 
 template <class Profile>
-std::vector<std::array<Mesh::Vertex_index, 3> > triangles(const Profile& profile)
+std::vector<std::array<Mesh::Vertex_index, 3>> triangles(const Profile& profile)
 {
-  std::vector<std::array<Mesh::Vertex_index, 3> > result;
+  std::vector<std::array<Mesh::Vertex_index, 3>> result;
   for(const auto& t : profile.triangles())
     result.push_back({{t.v0, t.v1, t.v2}});
   return result;

@@ -22,8 +22,7 @@ namespace SMS = CGAL::Surface_mesh_simplification;
 typedef SMC::Simplification_mesh Mesh;
 
 // The edges that are collapsed and where to, in order.
-struct Collapse_watcher
-  : public SMS::Edge_collapse_visitor_base<Mesh>
+struct Collapse_watcher : public SMS::Edge_collapse_visitor_base<Mesh>
 {
   struct Collapse
   {
@@ -49,10 +48,9 @@ std::vector<Collapse_watcher::Collapse> collapses_of(Mesh mesh, const Policies& 
   Collapse_watcher watcher;
   watcher.collapses = &result;
   const auto policies = make_policies(mesh);
-  SMS::edge_collapse(mesh, [](double, const auto&, std::size_t, std::size_t) { return false; },
-                     CGAL::parameters::get_cost(policies.get_cost())
-                         .get_placement(policies.get_placement())
-                         .visitor(watcher));
+  SMS::edge_collapse(
+      mesh, [](double, const auto&, std::size_t, std::size_t) { return false; },
+      CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()).visitor(watcher));
   return result;
 }
 
@@ -62,9 +60,9 @@ TEST(GarlandHeckbert, TheDefaultCollapsesTheSameEdgesToTheSamePointsAsThePlanePo
 #if !defined(EIGEN_VECTORIZE_SSE2) || defined(EIGEN_VECTORIZE_AVX)
   GTEST_SKIP() << "Eigen adds up products of matrices in another order than on x86-64 without extensions";
 #endif
-  for(const Mesh& mesh : {test_meshes::make_graph<Mesh>(test_meshes::torus(0.1, 5)),
-                          test_meshes::make_graph<Mesh>(test_meshes::box(7, 5, 4)),
-                          test_meshes::torus_with_border<Mesh>()})
+  for(const Mesh& mesh :
+      {test_meshes::make_graph<Mesh>(test_meshes::torus(0.1, 5)),
+       test_meshes::make_graph<Mesh>(test_meshes::box(7, 5, 4)), test_meshes::torus_with_border<Mesh>()})
   {
     const auto ours = collapses_of(mesh, SMC::Garland_heckbert_policies());
     const auto theirs =

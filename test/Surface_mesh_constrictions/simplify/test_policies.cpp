@@ -39,8 +39,7 @@ bool is_on_non_face_triangle(const Mesh& mesh, Mesh::Vertex_index u, Mesh::Verte
 }
 
 // Notes of each edge that is selected whether it is on a non-face triangle.
-struct Stop_watcher
-  : public SMS::Edge_collapse_visitor_base<Mesh>
+struct Stop_watcher : public SMS::Edge_collapse_visitor_base<Mesh>
 {
   std::vector<bool>* selected;
 
@@ -78,8 +77,7 @@ TEST(Policies, StopPredicateStopsAtTheFirstSelectedEdgeOfANonFaceTriangle)
 }
 
 // Compares the wrapper with its base on every edge that is selected.
-struct Placement_watcher
-  : public SMS::Edge_collapse_visitor_base<Mesh>
+struct Placement_watcher : public SMS::Edge_collapse_visitor_base<Mesh>
 {
   std::size_t *refused, *deferred;
 
@@ -109,10 +107,11 @@ TEST(Policies, PlacementRefusesSeedEdgesAndDefersElsewhere)
   Placement_watcher watcher;
   watcher.refused = &refused;
   watcher.deferred = &deferred;
-  SMS::edge_collapse(mesh, [](double, const auto&, std::size_t, std::size_t) { return false; },
-                     CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>())
-                         .get_placement(SMC::Seed_preserving_placement<SMS::Midpoint_placement<Mesh> >())
-                         .visitor(watcher));
+  SMS::edge_collapse(
+      mesh, [](double, const auto&, std::size_t, std::size_t) { return false; },
+      CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>())
+          .get_placement(SMC::Seed_preserving_placement<SMS::Midpoint_placement<Mesh>>())
+          .visitor(watcher));
   EXPECT_GT(refused, 0u);
   EXPECT_GT(deferred, 100u);
   EXPECT_TRUE(mesh.is_valid(false));

@@ -139,8 +139,8 @@ TEST(SimplificationMesh, TheSetsThatEdgeCollapseMakesAfterEachCollapseAreSortedA
                             int, int, int, int, int, int, false>
       Edge_collapse;
   typedef std::set<Mesh::Halfedge_index, Edge_collapse::Compare_id> Edge_set;
-  EXPECT_TRUE((std::is_same<Edge_set::iterator,
-                            boost::container::small_vector<Mesh::Halfedge_index, 64>::iterator>::value));
+  EXPECT_TRUE(
+      (std::is_same<Edge_set::iterator, boost::container::small_vector<Mesh::Halfedge_index, 64>::iterator>::value));
 }
 
 TEST(SimplificationMesh, SetsOfItsHalfedgesInTheirOwnOrderAreOrdinarySets)

@@ -159,9 +159,6 @@ TEST(Progressive_mesh, AppendingCollapsesEndsWhenTheFunctionSaysSo)
     EXPECT_EQ(removed[i], record.collapses[i].removed);
 }
 
-TEST(Progressive_mesh, ACollapseTakes44Bytes)
-{
-  EXPECT_EQ(Progressive_mesh::bytes_per_collapse(), 44u);
-}
+TEST(Progressive_mesh, ACollapseTakes44Bytes) { EXPECT_EQ(Progressive_mesh::bytes_per_collapse(), 44u); }
 
 } // namespace test_progressive_mesh

@@ -43,8 +43,7 @@ Path canonical(Path cycle)
 }
 
 // Writes down the curve of one seed on each level.
-struct Recorder
-  : public SMC::Refinement_visitor_base
+struct Recorder : public SMC::Refinement_visitor_base
 {
   std::map<std::size_t, SMC::Closed_curve> changes;
 
@@ -94,18 +93,44 @@ double length_of_cycle(const SMC::Progressive_mesh& pm, const Path& cycle)
 
 // Two wings, joined at a pentagon r0 ... r4 in the plane x = 0. Every edge of a wing leaves the pentagon outwards, so
 // that the surface has more than a half turn on both sides of each of its vertices: the pentagon is a geodesic.
-enum Butterfly_vertex : Index { R0, R1, R2, R3, R4, A0, A1, B0, B1, B2 };
+enum Butterfly_vertex : Index
+{
+  R0,
+  R1,
+  R2,
+  R3,
+  R4,
+  A0,
+  A1,
+  B0,
+  B1,
+  B2
+};
 
 SMC::Progressive_mesh butterfly()
 {
   return make_mesh({Point(0, -1, 1), Point(0, 1, 1), Point(0, 2, -1), Point(0, 0, -2), Point(0, -2, -1),
                     Point(-8, 20, 8), Point(-8, -20, -8), Point(8, 0, 20), Point(8, 18, -12), Point(8, -18, -12)},
-                   {{A0, R1, R0}, {A0, R2, R1}, {A0, R3, R2}, {A1, R4, R3}, {A1, R0, R4}, {A0, A1, R3}, {A0, R0, A1},
-                    {B0, R0, R1}, {B0, R1, R2}, {B0, R2, B1}, {B1, R2, R3}, {B1, R3, B2}, {B2, R3, R4}, {B2, R4, R0},
-                    {B2, R0, B0}, {B0, B1, B2}});
+                   {{A0, R1, R0},
+                    {A0, R2, R1},
+                    {A0, R3, R2},
+                    {A1, R4, R3},
+                    {A1, R0, R4},
+                    {A0, A1, R3},
+                    {A0, R0, A1},
+                    {B0, R0, R1},
+                    {B0, R1, R2},
+                    {B0, R2, B1},
+                    {B1, R2, R3},
+                    {B1, R3, B2},
+                    {B2, R3, R4},
+                    {B2, R4, R0},
+                    {B2, R0, B0},
+                    {B0, B1, B2}});
 }
 
-class Paper_figures : public testing::TestWithParam<SMC::Tightening_schedule> {};
+class Paper_figures : public testing::TestWithParam<SMC::Tightening_schedule>
+{};
 
 TEST_P(Paper_figures, ButterflyHasTheSizeOfFigure8)
 {
@@ -149,20 +174,33 @@ TEST_P(Paper_figures, ButterflyShowsItsFirstSeedAfterTwoCollapsesAndEachSplitCre
 
 // A pentagonal waist M0 ... M4 between two quadrilaterals that are turned against each other. The upper one is closed
 // by four triangles, the lower one by two.
-enum Cylinder_vertex : Index { M0, M1, M2, M3, M4, T0, T1, T2, T3, L0, L1, L2, L3, TOP };
+enum Cylinder_vertex : Index
+{
+  M0,
+  M1,
+  M2,
+  M3,
+  M4,
+  T0,
+  T1,
+  T2,
+  T3,
+  L0,
+  L1,
+  L2,
+  L3,
+  TOP
+};
 
 SMC::Progressive_mesh twisted_cylinder()
 {
   return make_mesh({Point(2, -1, 0), Point(2, 1, 0), Point(-1, 2, 0), Point(-2, 0, 0), Point(-1, -2, 0),
-                    Point(12, 4, 6), Point(-4, 12, 6), Point(-12, -4, 6), Point(4, -12, 6),
-                    Point(9, -2, -6), Point(2, 9, -6), Point(-9, 2, -6), Point(-2, -9, -6),
-                    Point(0, 0, 6)},
-                   {{M0, M1, T0}, {M1, T1, T0}, {M1, M2, T1}, {M2, T2, T1}, {M2, M3, T2}, {M3, T3, T2}, {M3, M4, T3},
-                    {M4, M0, T3}, {M0, T0, T3},
-                    {M1, M0, L0}, {L0, L1, M1}, {M2, M1, L1}, {L1, L2, M2}, {M3, M2, L2}, {M4, M3, L2}, {L2, L3, M4},
-                    {M0, M4, L3}, {L3, L0, M0},
-                    {T0, T1, TOP}, {T1, T2, TOP}, {T2, T3, TOP}, {T3, T0, TOP},
-                    {L1, L0, L2}, {L2, L0, L3}});
+                    Point(12, 4, 6), Point(-4, 12, 6), Point(-12, -4, 6), Point(4, -12, 6), Point(9, -2, -6),
+                    Point(2, 9, -6), Point(-9, 2, -6), Point(-2, -9, -6), Point(0, 0, 6)},
+                   {{M0, M1, T0},  {M1, T1, T0},  {M1, M2, T1},  {M2, T2, T1},  {M2, M3, T2}, {M3, T3, T2},
+                    {M3, M4, T3},  {M4, M0, T3},  {M0, T0, T3},  {M1, M0, L0},  {L0, L1, M1}, {M2, M1, L1},
+                    {L1, L2, M2},  {M3, M2, L2},  {M4, M3, L2},  {L2, L3, M4},  {M0, M4, L3}, {L3, L0, M0},
+                    {T0, T1, TOP}, {T1, T2, TOP}, {T2, T3, TOP}, {T3, T0, TOP}, {L1, L0, L2}, {L2, L0, L3}});
 }
 
 TEST_P(Paper_figures, TwistedCylinderHasTheSizeOfFigure9)

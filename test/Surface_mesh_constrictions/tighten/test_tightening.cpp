@@ -31,9 +31,9 @@ namespace test_tightening {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 using SMC::Index;
-using SMC::Tightening_verdict;
 using SMC::tighten_closed_curve;
 using SMC::tighten_closed_curves;
+using SMC::Tightening_verdict;
 using test_meshes::Mesh;
 typedef std::vector<Mesh::Vertex_index> Loop;
 
@@ -78,15 +78,15 @@ TEST(Tightening, ALoopAroundASharpConeIsDegenerate)
 TEST(Tightening, TheBeltOfABoxLeaksAway)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::box(3, 2, 2));
-  const Loop belt = loop_of(mesh, {{{1, 0, 0}}, {{1, 1, 0}}, {{1, 2, 0}}, {{1, 2, 1}}, {{1, 2, 2}}, {{1, 1, 2}},
-                                   {{1, 0, 2}}, {{1, 0, 1}}});
+  const Loop belt = loop_of(
+      mesh, {{{1, 0, 0}}, {{1, 1, 0}}, {{1, 2, 0}}, {{1, 2, 1}}, {{1, 2, 2}}, {{1, 1, 2}}, {{1, 0, 2}}, {{1, 0, 1}}});
   EXPECT_EQ(tighten_closed_curve(mesh, belt).verdict, Tightening_verdict::DEGENERATE);
 }
 
 TEST(Tightening, AFlatBandIsRepresentedByTheEndWithTheSmallerVertex)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::boxes_with_tube(4));
-  std::vector<std::set<Mesh::Vertex_index> > pivots;
+  std::vector<std::set<Mesh::Vertex_index>> pivots;
   for(double x : {2, 3, 4, 5, 6})
   {
     const Loop square = loop_of(mesh, {{{x, 1, 1}}, {{x, 2, 1}}, {{x, 2, 2}}, {{x, 1, 2}}});
@@ -102,8 +102,8 @@ TEST(Tightening, AFlatBandIsRepresentedByTheEndWithTheSmallerVertex)
   }
   const Loop one = loop_of(mesh, {{{2, 1, 1}}, {{2, 2, 1}}, {{2, 2, 2}}, {{2, 1, 2}}});
   const Loop other = loop_of(mesh, {{{6, 1, 1}}, {{6, 2, 1}}, {{6, 2, 2}}, {{6, 1, 2}}});
-  const Loop& smaller = *std::min_element(one.begin(), one.end()) < *std::min_element(other.begin(), other.end()) ? one
-                                                                                                                : other;
+  const Loop& smaller =
+      *std::min_element(one.begin(), one.end()) < *std::min_element(other.begin(), other.end()) ? one : other;
   EXPECT_EQ(pivots.front(), std::set<Mesh::Vertex_index>(smaller.begin(), smaller.end()));
 }
 
@@ -285,8 +285,7 @@ TEST_F(StripAroundPrism, HasEachVertexOnceAsACorner)
 TEST_F(StripAroundPrism, IsAsHighAsFromTheVertexToTheUpperEnd)
 {
   const SMC::internal::Closed_strip closed(*pm, strip);
-  const auto up = closed.foremost_corner(SMC::Curve_side::LEFT),
-             down = closed.foremost_corner(SMC::Curve_side::RIGHT);
+  const auto up = closed.foremost_corner(SMC::Curve_side::LEFT), down = closed.foremost_corner(SMC::Curve_side::RIGHT);
   EXPECT_EQ(down.vertex, vertex);
   EXPECT_NEAR(closed.height(up, down), 250, 1e-9);
   EXPECT_NEAR(closed.height(down, up), -250, 1e-9);
@@ -354,8 +353,7 @@ TEST(Tightening, TheSharpestPivotIsRoundedFirst)
 {
   const test_meshes::Soup box = test_meshes::box(5, 3, 2);
   std::vector<Index> path;
-  for(std::size_t v :
-      exact_models::vertices_at(box, {{{2, 1, 2}}, {{3, 1, 2}}, {{4, 1, 2}}, {{4, 2, 2}}, {{3, 2, 2}}}))
+  for(std::size_t v : exact_models::vertices_at(box, {{{2, 1, 2}}, {{3, 1, 2}}, {{4, 1, 2}}, {{4, 2, 2}}, {{3, 2, 2}}}))
     path.push_back(static_cast<Index>(v));
   const SMC::Progressive_mesh pm = test_meshes::make_progressive(box);
   ASSERT_NE(pm.halfedge(path.front(), path.back()), SMC::null_index);
@@ -369,8 +367,8 @@ TEST(Tightening, TheSharpestPivotIsRoundedFirst)
     std::set<Index> pivots;
     for(const SMC::internal::Arc& a : SMC::internal::arcs_of_curve(network, c))
       pivots.insert(a.from);
-    const auto sharpest = exact_models::vertices_at(box, {{{2, 1, 2}}}), others =
-        exact_models::vertices_at(box, {{{4, 1, 2}}, {{4, 2, 2}}, {{3, 2, 2}}});
+    const auto sharpest = exact_models::vertices_at(box, {{{2, 1, 2}}}),
+               others = exact_models::vertices_at(box, {{{4, 1, 2}}, {{4, 2, 2}}, {{3, 2, 2}}});
     EXPECT_EQ(pivots.count(static_cast<Index>(sharpest[0])), 0u);
     for(std::size_t v : others)
       EXPECT_EQ(pivots.count(static_cast<Index>(v)), 1u);
@@ -387,8 +385,8 @@ TEST(Tightening, OfAStripThatUnfoldsOverItsCentreTheBestCornerIsTaken)
        {{{1, 3, 0}}, {{2, 3, 1}}, {{1, 0, 4}}, {{0, 3, 4}}, {{3, 2, 4}}, {{2, 1, 4}}}});
   SMC::internal::Arc loop;
   loop.from = loop.to = 0;
-  const std::vector<std::array<Index, 2> > crossed = {{{1, 3}}, {{2, 3}}, {{4, 3}}, {{0, 3}},
-                                                      {{1, 3}}, {{1, 2}}, {{1, 4}}};
+  const std::vector<std::array<Index, 2>> crossed = {{{1, 3}}, {{2, 3}}, {{4, 3}}, {{0, 3}},
+                                                     {{1, 3}}, {{1, 2}}, {{1, 4}}};
   for(const std::array<Index, 2>& edge : crossed)
     for(Index h = 0; h < 18; ++h)
       if(pm.source(h) == edge[0] && pm.target(h) == edge[1])
@@ -476,8 +474,8 @@ TEST(Tightening, SpursAndOverlapsAreShortenedAway)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::boxes_with_tube(4));
   const Loop square = loop_of(mesh, {{{4, 1, 1}}, {{4, 2, 1}}, {{4, 2, 2}}, {{4, 1, 2}}});
-  const Loop detour = loop_of(mesh, {{{4, 1, 1}}, {{3, 1, 1}}, {{2, 1, 1}}, {{3, 1, 1}}, {{4, 1, 1}}, {{4, 2, 1}},
-                                     {{4, 2, 2}}, {{4, 1, 2}}});
+  const Loop detour = loop_of(
+      mesh, {{{4, 1, 1}}, {{3, 1, 1}}, {{2, 1, 1}}, {{3, 1, 1}}, {{4, 1, 1}}, {{4, 2, 1}}, {{4, 2, 2}}, {{4, 1, 2}}});
   const Loop to_and_fro = loop_of(mesh, {{{4, 1, 1}}, {{3, 1, 1}}, {{2, 1, 1}}, {{3, 1, 1}}});
   Loop twice_along_one_edge = square;
   twice_along_one_edge.insert(twice_along_one_edge.begin() + 1, {square[1], square[0]});
@@ -559,11 +557,11 @@ TEST(Tightening, ATightCurveDoesNotMove)
 TEST(Tightening, LoopsThatAreNoClosedPathsAreRefused)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::box(2, 2, 2));
-  const Loop good = loop_of(mesh, {{{1, 0, 0}}, {{1, 1, 0}}, {{1, 2, 0}}, {{1, 2, 1}}, {{1, 2, 2}}, {{1, 1, 2}},
-                                   {{1, 0, 2}}, {{1, 0, 1}}});
+  const Loop good = loop_of(
+      mesh, {{{1, 0, 0}}, {{1, 1, 0}}, {{1, 2, 0}}, {{1, 2, 1}}, {{1, 2, 2}}, {{1, 1, 2}}, {{1, 0, 2}}, {{1, 0, 1}}});
   const Loop jump = {good[0], good[1], good[5]};
   const Loop short_one = {good[0], good[1]};
-  std::vector<SMC::Tightened_curve<Mesh> > out;
+  std::vector<SMC::Tightened_curve<Mesh>> out;
   for(const Loop& bad : {jump, short_one, Loop()})
     try
     {

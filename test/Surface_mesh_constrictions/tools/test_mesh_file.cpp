@@ -50,8 +50,7 @@ TEST_F(Mesh_file, windows_line_ends)
   const Soup soup = octahedron();
   expect_mesh(soup, "a.off", with_crlf(off(soup)));
   expect_mesh(soup, "a.obj", with_crlf(obj(soup)));
-  expect_mesh(soup, "a.ply",
-              with_crlf(ply_header(soup, "ascii") + points_as_text(soup) + faces_as_text(soup, "3")));
+  expect_mesh(soup, "a.ply", with_crlf(ply_header(soup, "ascii") + points_as_text(soup) + faces_as_text(soup, "3")));
   expect_mesh(soup, "a.stl", with_crlf(ascii_stl(soup)));
 }
 
@@ -137,9 +136,9 @@ TEST_F(Mesh_file, stl_merges_equal_positions_only)
   // -0 equals 0; the next larger double does not equal 1
   const Soup soup = octahedron();
   expect_mesh(soup, "zero.stl", replaced(ascii_stl(soup), "vertex 0 1 0", "vertex -0.0 1 -0"));
-  EXPECT_EQ(read("near.stl", replaced(ascii_stl(soup), "vertex 1 0 0", "vertex 1.0000000000000002 0 0"))
-                .number_of_vertices(),
-            7u);
+  EXPECT_EQ(
+      read("near.stl", replaced(ascii_stl(soup), "vertex 1 0 0", "vertex 1.0000000000000002 0 0")).number_of_vertices(),
+      7u);
 }
 
 TEST_F(Mesh_file, stl_upper_case_and_several_solids)
@@ -154,8 +153,7 @@ TEST_F(Mesh_file, stl_upper_case_and_several_solids)
 
 TEST_F(Mesh_file, isolated_vertices_keep_the_numbers)
 {
-  const std::string text = replaced(replaced(off(octahedron()), "6 8 0\n", "7 8 0\n"), "3 0 1 2\n",
-                                    "9 9 9\n3 0 1 2\n");
+  const std::string text = replaced(replaced(off(octahedron()), "6 8 0\n", "7 8 0\n"), "3 0 1 2\n", "9 9 9\n3 0 1 2\n");
   const Mesh mesh = read("a.off", text);
   EXPECT_EQ(mesh.num_vertices(), 7u);
   EXPECT_EQ(mesh.number_of_vertices(), 6u);
@@ -218,7 +216,8 @@ TEST_F(Mesh_file, surfaces_that_cannot_be_used)
     strip.triangles.push_back({{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>((i + 1) % 5),
                                 static_cast<std::uint32_t>((i + 2) % 5)}});
   }
-  expect_defect(Input_defect::INCONSISTENT_ORIENTATION, 3, "strip.off", off(strip), {"cannot be oriented", "of face 3"});
+  expect_defect(Input_defect::INCONSISTENT_ORIENTATION, 3, "strip.off", off(strip),
+                {"cannot be oriented", "of face 3"});
   Soup empty = soup;
   empty.triangles.clear();
   expect_file_error("empty.off", off(empty), {"point cloud", "6 points"});
@@ -233,8 +232,7 @@ TEST_F(Mesh_file, faces_of_another_orientation_are_turned)
   for(std::size_t f : {1, 5})
     std::swap(flipped.triangles[f][1], flipped.triangles[f][2]);
   constrictions::File_record record;
-  const Mesh mesh =
-      constrictions::read_mesh_file(file("flipped.obj", obj(flipped)), constrictions::Reading(), record);
+  const Mesh mesh = constrictions::read_mesh_file(file("flipped.obj", obj(flipped)), constrictions::Reading(), record);
   const std::vector<bool>& is_turned = record.numbering.is_turned;
   ASSERT_EQ(is_turned.size(), 8u);
   EXPECT_EQ(record.findings.count(constrictions::Finding::TURNED_FACES), 2u);
@@ -403,21 +401,19 @@ TEST_F(Mesh_file, files_that_cannot_be_opened)
 TEST_F(Mesh_file, loops)
 {
   constrictions::File_record record;
-  const Mesh mesh =
-      constrictions::read_mesh_file(file("a.off", off(octahedron())), constrictions::Reading(), record);
+  const Mesh mesh = constrictions::read_mesh_file(file("a.off", off(octahedron())), constrictions::Reading(), record);
   const constrictions::File_numbering& numbering = record.numbering;
-  const constrictions::Loops loops =
-      constrictions::read_loops_file(file("loops.txt", "# equator\r\n\r\n0 1\t3 4\r\n  # other\n2 0 5 3"), mesh,
-                                     numbering);
+  const constrictions::Loops loops = constrictions::read_loops_file(
+      file("loops.txt", "# equator\r\n\r\n0 1\t3 4\r\n  # other\n2 0 5 3"), mesh, numbering);
   ASSERT_EQ(loops.vertices.size(), 2u);
   EXPECT_EQ(loops.vertices[0].size(), 4u);
   EXPECT_EQ(loops.vertices[1][2], Mesh::Vertex_index(5));
   EXPECT_EQ(loops.lines, (std::vector<std::size_t>{3, 5}));
 
-  for(const auto& [content, part] : std::vector<std::pair<std::string, std::string> >{
-          {"0 1 2\n\n0 1 6\n", "line 3: vertex 6"},
-          {"0 -1 2\n", "line 1: \"-1\""},
-          {"#\n0,1,2\n", "line 2: \"0,1,2\""}})
+  for(const auto& [content, part] :
+      std::vector<std::pair<std::string, std::string>>{{"0 1 2\n\n0 1 6\n", "line 3: vertex 6"},
+                                                       {"0 -1 2\n", "line 1: \"-1\""},
+                                                       {"#\n0,1,2\n", "line 2: \"0,1,2\""}})
     try
     {
       constrictions::read_loops_file(file("bad.txt", content), mesh, numbering);

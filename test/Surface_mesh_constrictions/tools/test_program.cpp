@@ -44,8 +44,8 @@ TEST_F(Program, detect_prints_a_table)
   EXPECT_NE(r.out.find("1 constriction from"), std::string::npos) << r.out;
 }
 
-// Two digital balls joined by a digital cylinder, as a segmented image gives them. The neck goes around the convex hull of
-// the cylinder's outline, an octagon with sides of 5 and of twice the diagonal of a square.
+// Two digital balls joined by a digital cylinder, as a segmented image gives them. The neck goes around the convex hull
+// of the cylinder's outline, an octagon with sides of 5 and of twice the diagonal of a square.
 Cubes digital_dumbbell()
 {
   const int r = 16, length = 35;
@@ -147,16 +147,15 @@ TEST_F(Program, detect_prints_json_only)
 
   const auto& statistics = j["statistics"];
   EXPECT_EQ(keys(statistics), (Keys{"collapses", "seeds", "degenerate", "discarded", "merged", "not_simple",
-                                    "leaky_bands", "barriers", "not_certified", "not_selected", "corrected",
-                                    "signs"}));
-  EXPECT_EQ(keys(statistics["signs"]),
-            (Keys{"interval", "multiprecision", "finite_field", "algebra", "unproved"}));
+                                    "leaky_bands", "barriers", "not_certified", "not_selected", "corrected", "signs"}));
+  EXPECT_EQ(keys(statistics["signs"]), (Keys{"interval", "multiprecision", "finite_field", "algebra", "unproved"}));
   EXPECT_GT(statistics["signs"]["algebra"], 0); // the sides of the band are parallel
   EXPECT_EQ(statistics["signs"]["unproved"], 0);
   EXPECT_EQ(statistics["not_certified"], 0);
-  EXPECT_EQ(statistics["seeds"].get<int>(),
-            statistics["degenerate"].get<int>() + statistics["discarded"].get<int>() + statistics["merged"].get<int>() + statistics["not_simple"].get<int>() +
-                statistics["not_certified"].get<int>() + statistics["not_selected"].get<int>() + 1);
+  EXPECT_EQ(statistics["seeds"].get<int>(), statistics["degenerate"].get<int>() + statistics["discarded"].get<int>() +
+                                                statistics["merged"].get<int>() + statistics["not_simple"].get<int>() +
+                                                statistics["not_certified"].get<int>() +
+                                                statistics["not_selected"].get<int>() + 1);
   EXPECT_EQ(keys(j["seconds"]), (Keys{"read", "simplify", "seeds", "refine", "tighten", "certify", "select", "total"}));
   EXPECT_GT(j["seconds"]["certify"], 0);
   EXPECT_GT(j["seconds"]["total"], j["seconds"]["simplify"]);
@@ -170,10 +169,10 @@ TEST_F(Program, locations_are_those_of_the_file)
   std::string word;
   std::size_t nv, nf, ne, n;
   off >> word >> nv >> nf >> ne;
-  std::vector<std::array<double, 3> > points(nv);
+  std::vector<std::array<double, 3>> points(nv);
   for(auto& p : points)
     off >> p[0] >> p[1] >> p[2];
-  std::vector<std::array<std::size_t, 3> > faces(nf);
+  std::vector<std::array<std::size_t, 3>> faces(nf);
   for(auto& f : faces)
     off >> n >> f[0] >> f[1] >> f[2];
 
@@ -199,10 +198,10 @@ TEST_F(Program, output_folder)
   EXPECT_EQ(r.exit_code, 0);
   EXPECT_EQ(r.out, "");
   EXPECT_EQ(r.err, "");
-  EXPECT_EQ(files(), (std::set<fs::path>{"dumbbell.off", "tetrahedron.off", "deep", "deep/results",
-                                         "deep/results/constrictions.json", "deep/results/constrictions.ply",
-                                         "deep/results/constrictions.polylines.txt",
-                                         "deep/results/constrictions.vtp"}));
+  EXPECT_EQ(files(),
+            (std::set<fs::path>{"dumbbell.off", "tetrahedron.off", "deep", "deep/results",
+                                "deep/results/constrictions.json", "deep/results/constrictions.ply",
+                                "deep/results/constrictions.polylines.txt", "deep/results/constrictions.vtp"}));
   const json j = json::parse(content("deep/results/constrictions.json"));
   const json& points = j.at("constrictions").at(0).at("points");
 
@@ -243,9 +242,9 @@ TEST_F(Program, no_constrictions_are_no_failure)
   EXPECT_TRUE(json::parse(content("results/constrictions.json")).at("constrictions").empty());
 }
 
-// Around the tube; twice lengthwise: along two opposite sides of the tube and around both cubes, from their faces at the
-// tube over three others back to it; and aslant around one cube, from one end of an edge at the tube to the other, straight
-// over five faces. Whether that one is found depends on the costs.
+// Around the tube; twice lengthwise: along two opposite sides of the tube and around both cubes, from their faces at
+// the tube over three others back to it; and aslant around one cube, from one end of an edge at the tube to the other,
+// straight over five faces. Whether that one is found depends on the costs.
 const double aslant = 1 + std::sqrt(12. * 12 + 3 * 3);
 
 TEST_F(Program, policies)
@@ -374,8 +373,7 @@ TEST_F(Program, tighten)
   EXPECT_GT(j.at("statistics").at("signs").at("interval"), 0);
 
   const json plain = json::parse(run("tighten dumbbell.off --loops loops.txt --no-certify --json -").out);
-  EXPECT_EQ(plain.at("constrictions").at(0).at("certificate"),
-            "not_certified: no exact certificate has been computed");
+  EXPECT_EQ(plain.at("constrictions").at(0).at("certificate"), "not_certified: no exact certificate has been computed");
 }
 
 TEST_F(Program, unusable_loops)
@@ -460,7 +458,8 @@ TEST_F(Program, wrong_usage)
   expect_wrong_usage("detect dumbbell.off --min-prominence -0.1");
   expect_wrong_usage("detect dumbbell.off --max-ratio nan");
   expect_wrong_usage("certify dumbbell.off");
-  for(const char* location : {"1,2", "a,b,c", "1,2,3,4", "1,,3", "1,2,", "'1;2;3'", "''", "1,2,nan", "inf,2,3", "1e999,2,3"})
+  for(const char* location :
+      {"1,2", "a,b,c", "1,2,3,4", "1,,3", "1,2,", "'1;2;3'", "''", "1,2,nan", "inf,2,3", "1e999,2,3"})
     expect_wrong_usage(std::string("detect dumbbell.off --near ") + location);
   EXPECT_EQ(run("detect dumbbell.off --near 1,2").err.rfind("--near: give three numbers", 0), 0u);
   expect_wrong_usage("detect dumbbell.off --near 1 2 3");

@@ -76,7 +76,10 @@ protected:
     return result;
   }
 
-  std::map<std::string, json> lines(const std::string& file = "out/results.jsonl") const { return lines_of(content(file)); }
+  std::map<std::string, json> lines(const std::string& file = "out/results.jsonl") const
+  {
+    return lines_of(content(file));
+  }
 
   // Whether the table at the end has a row that begins with a number after these words.
   static bool has_row(const std::string& table, const std::string& words, int number)
@@ -242,7 +245,7 @@ TEST_F(Batch, names_in_a_list)
     std::string file = j.at("file").get<std::string>();
     if(j.contains("file_bytes"))
     {
-      const auto bytes = j.at("file_bytes").get<std::vector<unsigned char> >();
+      const auto bytes = j.at("file_bytes").get<std::vector<unsigned char>>();
       file.assign(bytes.begin(), bytes.end());
     }
     files.insert(file);

@@ -29,8 +29,8 @@ const std::string cactus = "'" CONSTRICTIONS_MESH_DIR "/cactus.off'";
 // The content of an OFF file of triangles.
 struct Soup
 {
-  std::vector<std::array<double, 3> > points;
-  std::vector<std::array<std::size_t, 3> > faces;
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::size_t, 3>> faces;
 
   explicit Soup(std::istream& off)
   {
@@ -78,8 +78,7 @@ struct Soup
   }
 };
 
-class Certify
-  : public Program
+class Certify : public Program
 {
 protected:
   static Soup cactus_soup()
@@ -208,9 +207,8 @@ TEST_F(Certify, seams_and_stl_files)
   const std::size_t v = pivot.at("vertex").get<std::size_t>();
   Soup seam = closed;
   seam.points.push_back(seam.points[v]);
-  const auto face = std::find_if(seam.faces.begin(), seam.faces.end(), [v](const auto& f) {
-    return std::find(f.begin(), f.end(), v) != f.end();
-  });
+  const auto face = std::find_if(seam.faces.begin(), seam.faces.end(),
+                                 [v](const auto& f) { return std::find(f.begin(), f.end(), v) != f.end(); });
   ASSERT_NE(face, seam.faces.end());
   *std::find(face->begin(), face->end(), v) = closed.points.size();
   write("seam.off", seam.off());
@@ -267,8 +265,8 @@ TEST_F(Certify, a_crossing_on_another_edge_is_refused)
   const Soup soup = cactus_soup();
   const json& location = curve.at("locations").at(i);
   // a face far away
-  curve.at("locations")[i]["face"] = (location.at("face").get<std::size_t>() + soup.faces.size() / 2) %
-                                     soup.faces.size();
+  curve.at("locations")[i]["face"] =
+      (location.at("face").get<std::size_t>() + soup.faces.size() / 2) % soup.faces.size();
 
   const Result r = certify(cactus, moved);
   EXPECT_EQ(r.exit_code, 1);
@@ -359,9 +357,8 @@ TEST_F(Certify, unusable_curves)
   expect_curve_error([](json& c) { c["pivots"][0]["point"] = 99; }, "curve 0: pivot at point 99, which does not exist");
   expect_curve_error([](json& c) { c["pivots"][0]["vertex"] = 116; },
                      "curve 0: pivot at point 0: vertex 116 does not exist: the mesh has 116 vertices");
-  expect_curve_error(
-      [](json& c) { c["pivots"][0]["vertex"] = (c["pivots"][0]["vertex"].get<int>() + 1) % 116; },
-      "curve 0, point 0: the pivot is vertex ");
+  expect_curve_error([](json& c) { c["pivots"][0]["vertex"] = (c["pivots"][0]["vertex"].get<int>() + 1) % 116; },
+                     "curve 0, point 0: the pivot is vertex ");
 
   const json middle = {0.5, 0.25, 0.25}, corner = {1, 0, 0};
   expect_point_error(228, corner, "face 228 does not exist: the mesh has 228 faces");

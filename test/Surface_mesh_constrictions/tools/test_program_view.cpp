@@ -38,7 +38,9 @@ struct Page
   json data;
   std::string block;
 
-  explicit Page(const std::string& html) : html(html), data(json::parse(element("data"))), block(from_base64(element("block"))) {}
+  explicit Page(const std::string& html)
+    : html(html), data(json::parse(element("data"))), block(from_base64(element("block")))
+  {}
 
   // the numbers of an array, all as doubles
   std::vector<double> numbers(const std::string& name) const
@@ -173,8 +175,8 @@ protected:
     for(std::size_t c = 0; c < curves.size(); ++c)
     {
       const double expected = curves[c].at("length").get<double>() / radius;
-      EXPECT_NEAR(length(points, static_cast<std::size_t>(begins[c]), static_cast<std::size_t>(begins[c + 1])), expected,
-                  1e-5 * expected);
+      EXPECT_NEAR(length(points, static_cast<std::size_t>(begins[c]), static_cast<std::size_t>(begins[c + 1])),
+                  expected, 1e-5 * expected);
     }
 
     expect_consistent_levels(page, whole);
@@ -214,8 +216,8 @@ protected:
 
 TEST_F(View, holds_what_detect_finds)
 {
-  for(const std::string& arguments : {cactus, cactus + " --policy length", cactus + " --seeds triangles --max 2", eight,
-                                      std::string("dumbbell.off")})
+  for(const std::string& arguments :
+      {cactus, cactus + " --policy length", cactus + " --seeds triangles --max 2", eight, std::string("dumbbell.off")})
   {
     const Page page = view(arguments);
     const json expected = json::parse(run("detect " + arguments + " --min-prominence 0.01 --json - --quiet").out);
@@ -249,10 +251,7 @@ TEST_F(View, every_constriction_of_the_cactus_is_reached_by_a_seed)
     EXPECT_TRUE(std::binary_search(last.begin(), last.end(), static_cast<double>(c))) << c;
 }
 
-TEST_F(View, same_input_same_page)
-{
-  EXPECT_EQ(view(cactus).html, view(cactus).html);
-}
+TEST_F(View, same_input_same_page) { EXPECT_EQ(view(cactus).html, view(cactus).html); }
 
 TEST_F(View, coordinates_may_be_large_or_small)
 {
@@ -347,8 +346,9 @@ TEST_F(View, needs_nothing_but_itself)
 
 TEST_F(View, wrong_usage)
 {
-  for(const char* arguments : {"view dumbbell.off", "view -o page.html", "view dumbbell.off -o dumbbell.off",
-                               "view dumbbell.off -o page.html --json x.json", "view dumbbell.off -o page.html --policy x"})
+  for(const char* arguments :
+      {"view dumbbell.off", "view -o page.html", "view dumbbell.off -o dumbbell.off",
+       "view dumbbell.off -o page.html --json x.json", "view dumbbell.off -o page.html --policy x"})
     expect_wrong_usage(arguments);
 }
 

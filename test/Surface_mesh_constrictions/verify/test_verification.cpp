@@ -31,8 +31,8 @@ using test_meshes::Soup;
 typedef SMC::Constriction<Mesh> Constriction;
 typedef SMC::Arc_refusal Refusal;
 
-const char* const names_of_meshes[] = {"cactus.off", "eight.off", "elephant.off", "camel.off", "man.off",
-                                   "armadillo.off", "bull.off", "dino.off", "homer.off", "knot2.off"};
+const char* const names_of_meshes[] = {"cactus.off",    "eight.off", "elephant.off", "camel.off", "man.off",
+                                       "armadillo.off", "bull.off",  "dino.off",     "homer.off", "knot2.off"};
 
 std::vector<Mesh> small_meshes()
 {
@@ -74,7 +74,8 @@ Constriction horizontal_curve(const Mesh& mesh, double height)
     ++first;
   std::vector<Constriction::Location> locations;
   Mesh::Halfedge_index h = first;
-  do {
+  do
+  {
     const double a = z(mesh.source(h)), b = z(mesh.target(h));
     locations.push_back(crossing(h, (height - a) / (b - a)));
     const Mesh::Halfedge_index n = mesh.next(mesh.opposite(h));
@@ -197,8 +198,8 @@ TEST(Verification, NoCrossingIsOnlyTheEndOfAnArc)
       // the diagonal of a side rises from the bottom to the top, either the way the curve goes or against it
       const double from = z, to = height_at(i / 2 + 1);
       const Mesh::Halfedge_index h = locations[i - 1].halfedge; // the vertical edge before
-      const Mesh::Vertex_index low = p.z() < q.z() ? mesh.source(locations[i].halfedge)
-                                                   : mesh.target(locations[i].halfedge);
+      const Mesh::Vertex_index low =
+          p.z() < q.z() ? mesh.source(locations[i].halfedge) : mesh.target(locations[i].halfedge);
       const bool rises = low == mesh.source(h) || low == mesh.target(h);
       const double u = rises ? from / (height - to + from) : (height - from) / (height + to - from);
       z = from + u * (to - from);
@@ -306,12 +307,13 @@ TEST(Verification, RefusesACurveThatTurnsBack)
   const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Vertex_index(1), Mesh::Vertex_index(2));
   const Mesh::Vertex_index a = mesh.target(mesh.next(h)), b = mesh.target(mesh.next(mesh.opposite(h)));
   EXPECT_EQ(SMC::verify_with_shortest_paths(
-                mesh, curve({vertex(a), crossing(h, 0.5), vertex(b), crossing(mesh.opposite(h), 0.5)})).refusal,
+                mesh, curve({vertex(a), crossing(h, 0.5), vertex(b), crossing(mesh.opposite(h), 0.5)}))
+                .refusal,
             Refusal::SHORTER_PATH);
 }
 
-// On a flat square, from one corner to the opposite one and back, over its diagonal both times: at each corner the curve
-// leaves through the edge through which it came, before or after the place where it came.
+// On a flat square, from one corner to the opposite one and back, over its diagonal both times: at each corner the
+// curve leaves through the edge through which it came, before or after the place where it came.
 TEST(Verification, RefusesACurveThatTurnsBackBesideWhereItCame)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::box(2, 2, 2));
@@ -332,7 +334,7 @@ TEST(Verification, RefusesACurveThatTurnsBackBesideWhereItCame)
 }
 
 typedef SMC::internal::Curve_nodes<Mesh> Nodes;
-typedef SMC::internal::Arc_verifier<test_meshes::Kernel, Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point> >
+typedef SMC::internal::Arc_verifier<test_meshes::Kernel, Mesh, Mesh::Property_map<Mesh::Vertex_index, Mesh::Point>>
     Arc_verifier;
 
 // Two faces whose common edge ends at a reflex corner, through which the shortest path goes. The arc goes beside that
@@ -354,9 +356,9 @@ TEST(Verification, APathThroughACornerBesideTheArcIsInOtherFaces)
 TEST(Verification, APathAlongTheBorderOfAStarIsInOtherFaces)
 {
   const double height = 2e-5;
-  const Mesh mesh = test_meshes::make_mesh(
-      {{{{0, height, 0}}, {{-1, 0, 0}}, {{0, height / 2, 0}}, {{1, 0, 0}}, {{0, 1, 0}}},
-       {{{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 4}}, {{0, 4, 1}}}});
+  const Mesh mesh =
+      test_meshes::make_mesh({{{{0, height, 0}}, {{-1, 0, 0}}, {{0, height / 2, 0}}, {{1, 0, 0}}, {{0, 1, 0}}},
+                              {{{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 4}}, {{0, 4, 1}}}});
   const Nodes nodes(mesh, {vertex(1), vertex(0), vertex(3)}, 1e-9);
   const SMC::internal::Arc_verdict verdict = Arc_verifier(mesh, mesh.points(), nodes).verify_in_star(1);
   EXPECT_EQ(verdict.refusal, Refusal::OTHER_FACES);
@@ -367,10 +369,13 @@ TEST(Verification, TellsWhatIsNotAClosedPath)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::box(2, 2, 2));
   const Mesh::Halfedge_index h = *mesh.halfedges_begin();
-  const std::vector<Constriction> curves = {
-      Constriction(), curve({vertex(0)}), curve({vertex(0), vertex(mesh.number_of_vertices() - 1)}),
-      curve({crossing(h, 0.5)}), curve({crossing(h, 0.5), crossing(h, 0.25)}),
-      curve({crossing(h, 0.5), crossing(mesh.next(h), 0.5)}), curve({crossing(h, 0.5), vertex(mesh.source(h))})};
+  const std::vector<Constriction> curves = {Constriction(),
+                                            curve({vertex(0)}),
+                                            curve({vertex(0), vertex(mesh.number_of_vertices() - 1)}),
+                                            curve({crossing(h, 0.5)}),
+                                            curve({crossing(h, 0.5), crossing(h, 0.25)}),
+                                            curve({crossing(h, 0.5), crossing(mesh.next(h), 0.5)}),
+                                            curve({crossing(h, 0.5), vertex(mesh.source(h))})};
   for(const Constriction& c : curves)
   {
     const SMC::Shortest_path_verification v = SMC::verify_with_shortest_paths(mesh, c);

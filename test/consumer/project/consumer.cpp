@@ -27,8 +27,8 @@ Mesh stack_of_hexagons(const std::vector<double>& radii)
     for(std::size_t j = 0; j < sides; ++j)
     {
       const double phi = 2 * CGAL_PI * static_cast<double>(j) / sides;
-      v.push_back(mesh.add_vertex(
-          Kernel::Point_3(radii[i] * std::cos(phi), radii[i] * std::sin(phi), static_cast<double>(i))));
+      v.push_back(
+          mesh.add_vertex(Kernel::Point_3(radii[i] * std::cos(phi), radii[i] * std::sin(phi), static_cast<double>(i))));
     }
   const Mesh::Vertex_index bottom = mesh.add_vertex(Kernel::Point_3(0, 0, 0));
   const Mesh::Vertex_index top = mesh.add_vertex(Kernel::Point_3(0, 0, static_cast<double>(radii.size() - 1)));

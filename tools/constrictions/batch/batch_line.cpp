@@ -117,7 +117,7 @@ std::string file_of(const Batch_line& line)
 {
   if(!line.contains("file_bytes"))
     return line["file"].get<std::string>();
-  const auto bytes = line["file_bytes"].get<std::vector<unsigned char> >();
+  const auto bytes = line["file_bytes"].get<std::vector<unsigned char>>();
   return std::string(bytes.begin(), bytes.end());
 }
 

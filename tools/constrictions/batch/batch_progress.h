@@ -9,8 +9,8 @@
 
 namespace constrictions {
 
-/// Shows on one line of the standard error output how many meshes are done, and estimates the time that is left from the
-/// sizes of the files: meshes differ by far.
+/// Shows on one line of the standard error output how many meshes are done, and estimates the time that is left from
+/// the sizes of the files: meshes differ by far.
 class Batch_progress
 {
 public:

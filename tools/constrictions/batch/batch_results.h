@@ -37,7 +37,8 @@ private:
   int m_file;
 };
 
-/// writes the settings, on which the results depend, into a file of the folder. Where they are already, nothing is done.
+/// writes the settings, on which the results depend, into a file of the folder. Where they are already, nothing is
+/// done.
 ///
 /// Throws `Input_file_error` if the folder has results that were made with other settings.
 void keep_settings(const std::string& folder, const nlohmann::ordered_json& settings);

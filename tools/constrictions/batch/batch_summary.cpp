@@ -92,8 +92,8 @@ std::string Batch_summary::as_table() const
   std::ostringstream out;
   out << std::left << setw(16) << "meshes" << std::right << setw(10) << m_meshes << '\n';
   out << std::left << setw(16) << "ok" << std::right << setw(10) << m_meshes - failed() << "   " << m_faces
-      << " faces, " << m_constrictions << (m_constrictions == 1 ? " constriction, " : " constrictions, ")
-      << m_certified << " certified\n";
+      << " faces, " << m_constrictions << (m_constrictions == 1 ? " constriction, " : " constrictions, ") << m_certified
+      << " certified\n";
   out << std::left << setw(16) << "failed" << std::right << setw(10) << failed() << '\n';
   for(const auto& [kind, number] : m_failed)
   {

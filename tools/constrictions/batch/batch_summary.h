@@ -30,9 +30,9 @@ private:
 
   std::size_t m_meshes = 0, m_faces = 0, m_constrictions = 0, m_certified = 0;
   double m_seconds = 0;
-  std::map<std::string, std::size_t> m_failed; // of each kind
+  std::map<std::string, std::size_t> m_failed;                         // of each kind
   std::map<std::string, std::map<std::string, std::size_t>> m_reasons; // of each kind, the number of each
-  std::vector<Timed_file> m_slowest; // a few, the slowest first
+  std::vector<Timed_file> m_slowest;                                   // a few, the slowest first
 };
 
 } // namespace constrictions

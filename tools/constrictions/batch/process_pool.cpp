@@ -206,8 +206,7 @@ std::vector<Task_end> Process_pool::wait(std::chrono::milliseconds longest)
   for(const Child& child : m_children)
   {
     pipes.push_back({child.pipe, POLLIN, 0});
-    const double left =
-        m_limits.seconds - std::chrono::duration<double>(Clock::now() - child.begin).count();
+    const double left = m_limits.seconds - std::chrono::duration<double>(Clock::now() - child.begin).count();
     if(!child.is_out_of_time && left < std::chrono::duration<double>(timeout).count())
       timeout = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>((std::max)(left, 0.)));
   }

@@ -17,9 +17,9 @@ namespace constrictions {
 
 struct Process_limits
 {
-  std::size_t processes = 1; ///< at a time
+  std::size_t processes = 1;                                ///< at a time
   double seconds = std::numeric_limits<double>::infinity(); ///< wall time of each
-  std::optional<std::uint64_t> bytes; ///< address space of each
+  std::optional<std::uint64_t> bytes;                       ///< address space of each
 };
 
 /// How a task has ended.
@@ -27,9 +27,9 @@ struct Task_end
 {
   std::size_t task;
   std::optional<std::string> result; ///< what it returned; nothing if its process has ended before
-  bool is_out_of_time = false; ///< its process has been killed
-  int signal = 0; ///< that has ended its process, or 0
-  std::string last_words; ///< the last line that a process without a result has printed
+  bool is_out_of_time = false;       ///< its process has been killed
+  int signal = 0;                    ///< that has ended its process, or 0
+  std::string last_words;            ///< the last line that a process without a result has printed
   double seconds = 0;
   std::uint64_t peak_rss_bytes = 0;
 };

@@ -9,8 +9,8 @@
 
 namespace constrictions {
 
-/// The seed sources that the user has chosen, known only when the program runs. If `levels` is not null it gets a copy of
-/// the surface with all its levels: a source is the one that is shown them all.
+/// The seed sources that the user has chosen, known only when the program runs. If `levels` is not null it gets a copy
+/// of the surface with all its levels: a source is the one that is shown them all.
 class Chosen_seed_sources
 {
 public:

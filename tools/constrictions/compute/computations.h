@@ -22,8 +22,8 @@ namespace constrictions {
 /// One function for each policy of the simplification, each in a file of its own: they take long to compile. If
 /// `levels` is not null it gets the levels of the simplification, unless the search is near a location.
 /// @{
-std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection, const Search& search,
-                                                       Stage_monitor& monitor, Levels* levels);
+std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection,
+                                                       const Search& search, Stage_monitor& monitor, Levels* levels);
 std::vector<Constriction> detect_with_lindstrom_turk(const Mesh& mesh, const Selection& selection, const Search& search,
                                                      Stage_monitor& monitor, Levels* levels);
 std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Selection& selection, const Search& search,

@@ -6,8 +6,8 @@
 
 namespace constrictions {
 
-std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection, const Search& search,
-                                                       Stage_monitor& monitor, Levels* levels)
+std::vector<Constriction> detect_with_garland_heckbert(const Mesh& mesh, const Selection& selection,
+                                                       const Search& search, Stage_monitor& monitor, Levels* levels)
 {
   return detect_as_asked(mesh, selection, search, levels, CGAL::parameters::visitor(Monitoring_visitor(monitor)));
 }

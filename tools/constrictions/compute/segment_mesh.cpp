@@ -161,8 +161,7 @@ Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constricti
     for(Mesh::Halfedge_index h : curves.halfedges[c])
       if(!result.mesh.is_border(result.mesh.edge(h))) // along a hole a part ends
         lengths[{{result.part_of_face[result.mesh.face(h)],
-                  result.part_of_face[result.mesh.face(result.mesh.opposite(h))]}}] +=
-            PMP::edge_length(h, result.mesh);
+                  result.part_of_face[result.mesh.face(result.mesh.opposite(h))]}}] += PMP::edge_length(h, result.mesh);
     for(const auto& [parts, length] : lengths)
       result.adjacencies.push_back({c, parts, length});
   }

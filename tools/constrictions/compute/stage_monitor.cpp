@@ -8,9 +8,7 @@
 
 namespace constrictions {
 
-Stage_monitor::Stage_monitor(bool show_progress)
-  : m_show_progress(show_progress)
-{}
+Stage_monitor::Stage_monitor(bool show_progress) : m_show_progress(show_progress) {}
 
 Stage_monitor::~Stage_monitor()
 {
@@ -21,8 +19,8 @@ Stage_monitor::~Stage_monitor()
 
 void Stage_monitor::begin(Stage stage, std::size_t steps)
 {
-  static const char* const titles[] = {"Simplification\n", "Seeds\n", "Refinement\n", "Tightening\n", "Certification\n",
-                                       "Selection\n"};
+  static const char* const titles[] = {"Simplification\n", "Seeds\n",         "Refinement\n",
+                                       "Tightening\n",     "Certification\n", "Selection\n"};
   m_begin = std::chrono::steady_clock::now();
   if(m_show_progress && steps > 0)
     m_bar = std::make_unique<boost::timer::progress_display>(steps, std::cerr, titles[static_cast<std::size_t>(stage)]);

@@ -43,8 +43,7 @@ private:
 };
 
 /// Tells a monitor what `detect_constrictions()` does.
-struct Monitoring_visitor
-  : public CGAL::Surface_mesh_constrictions::Detection_visitor_base
+struct Monitoring_visitor : public CGAL::Surface_mesh_constrictions::Detection_visitor_base
 {
   typedef CGAL::Surface_mesh_constrictions::Detection_stage Stage;
 

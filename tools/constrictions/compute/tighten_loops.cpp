@@ -20,22 +20,22 @@ void tighten_loops(const Loops& loops, bool certifies, Stage_monitor& monitor, R
     const std::string loop = "loop on line " + std::to_string(loops.lines[done]);
     switch(tightened.verdict)
     {
-      case Tightening_verdict::CLOSED_GEODESIC:
-        report.constrictions.push_back(tightened.curve);
-        report.statistics.signs = report.statistics.signs + tightened.curve.certificate().signs;
-        break;
-      case Tightening_verdict::DEGENERATE:
-        ++report.statistics.degenerate;
-        report.remarks.push_back(loop + ": degenerate, it shortens to a point");
-        break;
-      case Tightening_verdict::NOT_SIMPLE:
-        ++report.statistics.not_simple;
-        report.remarks.push_back(loop + ": not simple, it shortens to a curve that crosses or touches itself");
-        break;
-      case Tightening_verdict::NOT_CERTIFIED:
-        ++report.statistics.not_certified;
-        report.remarks.push_back(loop + ": not certified, it could not be proved to shorten to a constriction");
-        break;
+    case Tightening_verdict::CLOSED_GEODESIC:
+      report.constrictions.push_back(tightened.curve);
+      report.statistics.signs = report.statistics.signs + tightened.curve.certificate().signs;
+      break;
+    case Tightening_verdict::DEGENERATE:
+      ++report.statistics.degenerate;
+      report.remarks.push_back(loop + ": degenerate, it shortens to a point");
+      break;
+    case Tightening_verdict::NOT_SIMPLE:
+      ++report.statistics.not_simple;
+      report.remarks.push_back(loop + ": not simple, it shortens to a curve that crosses or touches itself");
+      break;
+    case Tightening_verdict::NOT_CERTIFIED:
+      ++report.statistics.not_certified;
+      report.remarks.push_back(loop + ": not certified, it could not be proved to shorten to a constriction");
+      break;
     }
     monitor.step(++done);
   };

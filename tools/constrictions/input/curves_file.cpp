@@ -82,7 +82,7 @@ public:
   }
 
 private:
-  typedef std::array<double, 3> Barycentric; // in the order of the corners in the mesh
+  typedef std::array<double, 3> Barycentric;    // in the order of the corners in the mesh
   typedef std::array<std::uint64_t, 3> Corners; // vertices of the file
 
   [[noreturn]] void fail(const std::string& reason) const { m_file.fail(m_place + reason); }
@@ -213,8 +213,8 @@ private:
   Location read_location(const Json& location, Mesh::Face_index face, Mesh::Vertex_index pivot) const
   {
     const Json& coordinates = array(location, "barycentric");
-    if(coordinates.size() != 3 || !std::all_of(coordinates.begin(), coordinates.end(),
-                                               [](const Json& x) { return x.is_number(); }))
+    if(coordinates.size() != 3 ||
+       !std::all_of(coordinates.begin(), coordinates.end(), [](const Json& x) { return x.is_number(); }))
       fail("\"barycentric\" is not three numbers");
     Barycentric b = {coordinates[0].get<double>(), coordinates[1].get<double>(), coordinates[2].get<double>()};
     // one digit behind the point is enough
@@ -257,8 +257,8 @@ private:
 
   Location location_on_edge(Mesh::Face_index face, const Barycentric& b) const
   {
-    const auto nearest_zero = std::min_element(b.begin(), b.end(),
-                                               [](double x, double y) { return std::abs(x) < std::abs(y); });
+    const auto nearest_zero =
+        std::min_element(b.begin(), b.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
     if(std::count(b.begin(), b.end(), 0.) > 1)
       return location_at(m_mesh.source(
           halfedge_from_corner(face, static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin()))));

@@ -15,7 +15,7 @@ namespace constrictions {
 /// Closed curves on a mesh, and what their file calls them.
 struct Curves
 {
-  std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh> > curves;
+  std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh>> curves;
   std::vector<std::uint64_t> ids;
 };
 

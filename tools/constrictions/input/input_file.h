@@ -9,8 +9,7 @@
 namespace constrictions {
 
 /// An input file that cannot be read; the message is one line that begins with the name of the file.
-class Input_file_error
-  : public std::runtime_error
+class Input_file_error : public std::runtime_error
 {
 public:
   Input_file_error(const std::string& file, const std::string& reason);

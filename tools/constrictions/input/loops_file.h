@@ -13,7 +13,7 @@ namespace constrictions {
 /// Closed loops of vertices, and where they stand in their file.
 struct Loops
 {
-  std::vector<std::vector<Mesh::Vertex_index> > vertices;
+  std::vector<std::vector<Mesh::Vertex_index>> vertices;
   std::vector<std::size_t> lines; ///< counted from 1
 };
 

@@ -24,10 +24,7 @@ namespace constrictions {
 
 namespace {
 
-bool starts_with(std::string_view text, std::string_view prefix)
-{
-  return text.substr(0, prefix.size()) == prefix;
-}
+bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
 
 const std::size_t stl_header = 84;
 

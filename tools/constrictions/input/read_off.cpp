@@ -70,8 +70,8 @@ public:
     const Text_scanner counts = m_scanner;
 
     // An element a line, as nearly all programs write it, and then nothing behind its numbers matters; or numbers that
-    // go on over the ends of lines, and then each counts, and none is left over: else a number that is missing somewhere
-    // would shift all that follow.
+    // go on over the ends of lines, and then each counts, and none is left over: else a number that is missing
+    // somewhere would shift all that follow.
     std::exception_ptr failure;
     for(const auto& [vertices_in_lines, faces_in_lines] :
         std::array<std::pair<bool, bool>, 4>{{{true, true}, {false, false}, {true, false}, {false, true}}})

@@ -17,7 +17,19 @@ namespace constrictions {
 namespace {
 
 // 64-bit integers are not of the format, but some programs write them
-enum class Type { INT8, UINT8, INT16, UINT16, INT32, UINT32, INT64, UINT64, FLOAT32, FLOAT64 };
+enum class Type
+{
+  INT8,
+  UINT8,
+  INT16,
+  UINT16,
+  INT32,
+  UINT32,
+  INT64,
+  UINT64,
+  FLOAT32,
+  FLOAT64
+};
 
 struct Property
 {
@@ -43,7 +55,12 @@ struct Element
   }
 };
 
-enum class Encoding { ASCII, LITTLE_ENDIAN_BINARY, BIG_ENDIAN_BINARY };
+enum class Encoding
+{
+  ASCII,
+  LITTLE_ENDIAN_BINARY,
+  BIG_ENDIAN_BINARY
+};
 
 struct Header
 {
@@ -53,9 +70,16 @@ struct Header
 
 Type read_type(Text_scanner& scanner)
 {
-  const std::array<std::array<std::string_view, 2>, 10> names = {
-      {{"char", "int8"}, {"uchar", "uint8"}, {"short", "int16"}, {"ushort", "uint16"}, {"int", "int32"},
-       {"uint", "uint32"}, {"long", "int64"}, {"ulong", "uint64"}, {"float", "float32"}, {"double", "float64"}}};
+  const std::array<std::array<std::string_view, 2>, 10> names = {{{"char", "int8"},
+                                                                  {"uchar", "uint8"},
+                                                                  {"short", "int16"},
+                                                                  {"ushort", "uint16"},
+                                                                  {"int", "int32"},
+                                                                  {"uint", "uint32"},
+                                                                  {"long", "int64"},
+                                                                  {"ulong", "uint64"},
+                                                                  {"float", "float32"},
+                                                                  {"double", "float64"}}};
   const std::string word = lower_case(scanner.word());
   for(std::size_t i = 0; i < names.size(); ++i)
     if(word == names[i][0] || word == names[i][1])
@@ -162,16 +186,26 @@ public:
     }
     switch(type)
     {
-      case Type::INT8: return read_bytes<std::int8_t>();
-      case Type::UINT8: return read_bytes<std::uint8_t>();
-      case Type::INT16: return read_bytes<std::int16_t>();
-      case Type::UINT16: return read_bytes<std::uint16_t>();
-      case Type::INT32: return read_bytes<std::int32_t>();
-      case Type::UINT32: return read_bytes<std::uint32_t>();
-      case Type::INT64: return static_cast<double>(read_bytes<std::int64_t>());
-      case Type::UINT64: return static_cast<double>(read_bytes<std::uint64_t>());
-      case Type::FLOAT32: return read_bytes<float>();
-      default: return read_bytes<double>();
+    case Type::INT8:
+      return read_bytes<std::int8_t>();
+    case Type::UINT8:
+      return read_bytes<std::uint8_t>();
+    case Type::INT16:
+      return read_bytes<std::int16_t>();
+    case Type::UINT16:
+      return read_bytes<std::uint16_t>();
+    case Type::INT32:
+      return read_bytes<std::int32_t>();
+    case Type::UINT32:
+      return read_bytes<std::uint32_t>();
+    case Type::INT64:
+      return static_cast<double>(read_bytes<std::int64_t>());
+    case Type::UINT64:
+      return static_cast<double>(read_bytes<std::uint64_t>());
+    case Type::FLOAT32:
+      return read_bytes<float>();
+    default:
+      return read_bytes<double>();
     }
   }
 
@@ -382,8 +416,8 @@ Polygon_soup read_ply(const Input_file& file)
   const Element* const strips = find_element(header, "tristrips");
   if(face == nullptr && strips == nullptr)
     for(const Element& element : header.elements)
-      if(&element != vertex && std::any_of(element.properties.begin(), element.properties.end(),
-                                           [](const Property& p) { return p.is_list; }))
+      if(&element != vertex &&
+         std::any_of(element.properties.begin(), element.properties.end(), [](const Property& p) { return p.is_list; }))
         file.fail("a point cloud: no element is named \"face\" or \"tristrips\", and the lists of " +
                   constrictions::quoted(element.name) + " cannot be read");
   for(const Element* faces : {face, strips})

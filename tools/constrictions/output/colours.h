@@ -16,8 +16,8 @@ typedef std::array<std::uint8_t, 3> Colour;
 /// the colour of a part: whatever the number of parts, those with near numbers differ.
 Colour part_colour(std::size_t part);
 
-/// the colour of a curve by what it chokes: of those of Okabe and Ito vermillion for the object, blue for the complement,
-/// and green for both
+/// the colour of a curve by what it chokes: of those of Okabe and Ito vermillion for the object, blue for the
+/// complement, and green for both
 Colour side_colour(CGAL::Surface_mesh_constrictions::Side side);
 
 } // namespace constrictions

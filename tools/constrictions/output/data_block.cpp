@@ -18,7 +18,10 @@ void Data_block::append(const std::string& name, const char* type, const std::ve
 }
 
 void Data_block::add(const std::string& name, const std::vector<float>& numbers) { append(name, "f32", numbers); }
-void Data_block::add(const std::string& name, const std::vector<std::uint16_t>& numbers) { append(name, "u16", numbers); }
+void Data_block::add(const std::string& name, const std::vector<std::uint16_t>& numbers)
+{
+  append(name, "u16", numbers);
+}
 void Data_block::add(const std::string& name, const std::vector<std::uint8_t>& numbers) { append(name, "u8", numbers); }
 void Data_block::add(const std::string& name, const std::vector<std::int8_t>& numbers) { append(name, "i8", numbers); }
 

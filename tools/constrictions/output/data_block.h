@@ -11,9 +11,9 @@
 
 namespace constrictions {
 
-/// Arrays of numbers in one block of bytes, as a page reads them: each is little-endian and starts at a multiple of four
-/// bytes, so that it is a typed array of JavaScript where it lies. The directory tells for each name the type of the
-/// numbers, `f32`, `u32`, `u16`, `u8` or `i8`, the offset in bytes, and how many they are.
+/// Arrays of numbers in one block of bytes, as a page reads them: each is little-endian and starts at a multiple of
+/// four bytes, so that it is a typed array of JavaScript where it lies. The directory tells for each name the type of
+/// the numbers, `f32`, `u32`, `u16`, `u8` or `i8`, the offset in bytes, and how many they are.
 class Data_block
 {
 public:

@@ -17,7 +17,7 @@ void append_little_endian(Number number, std::string& out)
   static_assert(std::is_arithmetic<Number>::value && sizeof(Number) <= 8);
   typedef std::conditional_t<sizeof(Number) == 1, std::uint8_t,
                              std::conditional_t<sizeof(Number) == 2, std::uint16_t,
-                                                std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t> > >
+                                                std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>>
       Bits;
   Bits bits;
   static_assert(sizeof bits == sizeof number);

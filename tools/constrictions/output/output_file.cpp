@@ -21,8 +21,7 @@ namespace fs = std::filesystem;
 class Temporary_file
 {
 public:
-  explicit Temporary_file(const std::string& target)
-    : m_target(target), m_place(target)
+  explicit Temporary_file(const std::string& target) : m_target(target), m_place(target)
   {
     std::error_code error;
     if(fs::is_symlink(m_place, error)) // the file that it points to is replaced, not the link

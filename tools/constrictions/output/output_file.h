@@ -9,8 +9,7 @@
 namespace constrictions {
 
 /// An output that cannot be written; the message is one line that begins with the name of the file.
-class Output_file_error
-  : public std::runtime_error
+class Output_file_error : public std::runtime_error
 {
 public:
   Output_file_error(const std::string& file, const std::string& reason);

@@ -25,7 +25,8 @@ std::string parts_as_table(const Parts& parts)
     if(std::any_of(caps.begin(), caps.end(), [](const Cap& c) { return c.cuts_part; }))
       out << "part " << p << ": a cap cuts it\n";
     if(parts.parts[p].is_cavity)
-      out << "part " << p << " is a cavity: it encloses what is outside of the solid, so its volume has the other sign\n";
+      out << "part " << p
+          << " is a cavity: it encloses what is outside of the solid, so its volume has the other sign\n";
   }
   for(std::size_t c = 0; c < parts.outcomes.size(); ++c)
     if(parts.outcomes[c].crossed_curve != CGAL::Surface_mesh_constrictions::Cut_outcome::none)

@@ -48,8 +48,9 @@ std::string report_as_table(const Report& report);
 /// the curves in CGAL's `.polylines.txt` format, one line each
 std::string report_as_polylines(const Report& report);
 
-/// the curves as VTK PolyData: a closed line each, with `id`, `length`, `prominence`, `is_certified`, `side`, which is 0 for
-/// the object, 1 for the complement and 2 for both, and a colour for the side; and for each point whether it is a pivot
+/// the curves as VTK PolyData: a closed line each, with `id`, `length`, `prominence`, `is_certified`, `side`, which is
+/// 0 for the object, 1 for the complement and 2 for both, and a colour for the side; and for each point whether it is a
+/// pivot
 std::string report_as_vtp(const Report& report);
 
 /// the curves as the vertices and edges of a binary PLY file, coloured by side

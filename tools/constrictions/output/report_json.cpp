@@ -28,12 +28,18 @@ const char* name(SMC::Seed_origin origin)
 {
   switch(origin)
   {
-    case SMC::Seed_origin::NON_FACE_TRIANGLE: return "non_face_triangle";
-    case SMC::Seed_origin::CUT_LOCUS: return "cut_locus";
-    case SMC::Seed_origin::SECTION: return "section";
-    case SMC::Seed_origin::BARRIER: return "barrier";
-    case SMC::Seed_origin::BOUNDARY: return "boundary";
-    default: return "user";
+  case SMC::Seed_origin::NON_FACE_TRIANGLE:
+    return "non_face_triangle";
+  case SMC::Seed_origin::CUT_LOCUS:
+    return "cut_locus";
+  case SMC::Seed_origin::SECTION:
+    return "section";
+  case SMC::Seed_origin::BARRIER:
+    return "barrier";
+  case SMC::Seed_origin::BOUNDARY:
+    return "boundary";
+  default:
+    return "user";
   }
 }
 
@@ -139,7 +145,7 @@ Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mes
           {"genera", c.genera()},
           {"isoperimetric_ratio", c.isoperimetric_ratio()}, // null if it is infinite
           {"roundness", c.roundness()},
-          {"isolation", c.isolation()}, // null if it is infinite
+          {"isolation", c.isolation()},   // null if it is infinite
           {"prominence", c.prominence()}, // null if it is not a number
           {"dominated_by", c.dominated_by() ? Json(*c.dominated_by()) : Json()},
           {"slides_off", c.slides_off() ? Json(numbering.vertex_of(*c.slides_off())) : Json()},

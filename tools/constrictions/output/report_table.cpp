@@ -43,10 +43,7 @@ std::string rounded(double x)
 }
 
 // Loops that were tightened have none.
-std::string prominence(const Constriction& c)
-{
-  return std::isnan(c.prominence()) ? "-" : rounded(c.prominence());
-}
+std::string prominence(const Constriction& c) { return std::isnan(c.prominence()) ? "-" : rounded(c.prominence()); }
 
 } // namespace
 
@@ -63,11 +60,12 @@ std::string report_as_table(const Report& report)
   {
     const Constriction& c = report.constrictions[id];
     out << setw(5) << id << setw(14) << c.length() << setw(12) << prominence(c) << setw(11) << rounded(c.roundness())
-        << setw(8) << c.pivots().size() << setw(12) << (c.is_rim()          ? "rim"
-                                                           : c.is_separating() ? "yes"
-                                                                               : "no")
-        << setw(12) << side_name(c.side())
-        << setw(12) << name(c.certificate()) << setw(12) << c.seeds().front().level << '\n';
+        << setw(8) << c.pivots().size() << setw(12)
+        << (c.is_rim()          ? "rim"
+            : c.is_separating() ? "yes"
+                                : "no")
+        << setw(12) << side_name(c.side()) << setw(12) << name(c.certificate()) << setw(12) << c.seeds().front().level
+        << '\n';
   }
   out << open_certificates(report);
   for(const std::string& remark : report.remarks)

@@ -10,7 +10,8 @@ namespace {
 
 // An element with the bytes of an array, after their number.
 template <class Number>
-std::string data_array(const char* type, const std::string& name, std::size_t components, const std::vector<Number>& numbers)
+std::string data_array(const char* type, const std::string& name, std::size_t components,
+                       const std::vector<Number>& numbers)
 {
   std::string bytes;
   append_little_endian(static_cast<std::uint64_t>(numbers.size() * sizeof(Number)), bytes);
@@ -22,10 +23,7 @@ std::string data_array(const char* type, const std::string& name, std::size_t co
 
 } // namespace
 
-void Vtp_file::add_point(const Mesh::Point& p)
-{
-  m_coordinates.insert(m_coordinates.end(), {p.x(), p.y(), p.z()});
-}
+void Vtp_file::add_point(const Mesh::Point& p) { m_coordinates.insert(m_coordinates.end(), {p.x(), p.y(), p.z()}); }
 
 void Vtp_file::add_cell(const std::vector<std::size_t>& points)
 {
@@ -64,14 +62,24 @@ std::string Vtp_file::text() const
   return "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
          "<PolyData>\n"
-         "<Piece NumberOfPoints=\"" + std::to_string(m_coordinates.size() / 3) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
+         "<Piece NumberOfPoints=\"" +
+         std::to_string(m_coordinates.size() / 3) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
          (m_cells == LINES ? number : "0") + "\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
-         (m_cells == POLYGONS ? number : "0") + "\">\n"
-         "<PointData>\n" + m_point_data + "</PointData>\n"
-         "<CellData>\n" + m_cell_data + "</CellData>\n"
-         "<Points>\n" + data_array("Float64", "Points", 3, m_coordinates) + "</Points>\n"
-         "<" + element + ">\n" + data_array("Int64", "connectivity", 1, m_connectivity) +
-         data_array("Int64", "offsets", 1, m_offsets) + "</" + element + ">\n"
+         (m_cells == POLYGONS ? number : "0") +
+         "\">\n"
+         "<PointData>\n" +
+         m_point_data +
+         "</PointData>\n"
+         "<CellData>\n" +
+         m_cell_data +
+         "</CellData>\n"
+         "<Points>\n" +
+         data_array("Float64", "Points", 3, m_coordinates) +
+         "</Points>\n"
+         "<" +
+         element + ">\n" + data_array("Int64", "connectivity", 1, m_connectivity) +
+         data_array("Int64", "offsets", 1, m_offsets) + "</" + element +
+         ">\n"
          "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 

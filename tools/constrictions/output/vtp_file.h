@@ -17,7 +17,11 @@ namespace constrictions {
 class Vtp_file
 {
 public:
-  enum Cells { LINES, POLYGONS };
+  enum Cells
+  {
+    LINES,
+    POLYGONS
+  };
 
   explicit Vtp_file(Cells cells) : m_cells(cells) {}
 

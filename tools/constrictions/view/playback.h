@@ -19,9 +19,9 @@ namespace constrictions {
 struct Shown_levels
 {
   std::size_t finest_level;
-  std::vector<Mesh::Point> points;                  ///< on the finest level
-  std::vector<std::array<std::uint32_t, 3> > faces; ///< corners on the finest level
-  std::vector<std::size_t> input_faces;             ///< for each face the place, in `faces(mesh)`, of the face that it was
+  std::vector<Mesh::Point> points;                 ///< on the finest level
+  std::vector<std::array<std::uint32_t, 3>> faces; ///< corners on the finest level
+  std::vector<std::size_t> input_faces; ///< for each face the place, in `faces(mesh)`, of the face that it was
   std::vector<std::uint32_t> parents;
   std::vector<Mesh::Point> moves;
 };
@@ -45,7 +45,7 @@ struct Playback_frame
 /// How curves are carried from the coarsest level to the input.
 struct Playback
 {
-  std::size_t collapses;              ///< the level of the coarsest surface
+  std::size_t collapses; ///< the level of the coarsest surface
   Shown_levels surface;
   std::vector<Playback_frame> frames; ///< the coarsest level first, the input last
   std::size_t number_followed;        ///< the constrictions whose seeds are followed: so many, the first

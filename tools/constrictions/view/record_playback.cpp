@@ -39,7 +39,8 @@ const std::size_t shown_frames = 48;
 
 typedef std::set<std::size_t> Level_set;
 
-// Points of the progressive mesh in the unit of the user's mesh, which the detection may have divided by a power of two.
+// Points of the progressive mesh in the unit of the user's mesh, which the detection may have divided by a power of
+// two.
 class Unit
 {
 public:
@@ -168,9 +169,8 @@ std::vector<Followed_seed> seeds_to_try(const Mesh& mesh, const std::vector<Cons
     const auto rank = [](const Constriction::Seed& s) {
       return std::make_tuple(s.vertices.size() != 3, (std::numeric_limits<std::size_t>::max)() - s.level);
     };
-    std::stable_sort(seeds.begin(), seeds.end(), [&rank](const Constriction::Seed& a, const Constriction::Seed& b) {
-      return rank(a) < rank(b);
-    });
+    std::stable_sort(seeds.begin(), seeds.end(),
+                     [&rank](const Constriction::Seed& a, const Constriction::Seed& b) { return rank(a) < rank(b); });
     seeds.resize((std::min)(seeds.size(), tried_seeds));
     for(const Constriction::Seed& s : seeds)
     {
@@ -193,12 +193,12 @@ std::vector<Seed_curve> curves_of(const std::vector<Followed_seed>& followed)
 
 // Of each constriction the seed that comes closest to it on T^0, if one arrives. Leaves the progressive mesh there.
 std::vector<Followed_seed> best_seeds(Progressive_mesh& pm, const Unit& unit,
-                                      const std::vector<std::vector<Mesh::Point> >& constrictions,
+                                      const std::vector<std::vector<Mesh::Point>>& constrictions,
                                       const std::vector<Followed_seed>& tried)
 {
   std::vector<SMC::Refined_curve> refined;
   SMC::refine_seed_curves(pm, curves_of(tried), SMC::Tightening_schedule::AT_THE_END, std::back_inserter(refined));
-  std::map<std::size_t, std::pair<double, std::size_t> > best; // distance and number of a seed, by constriction
+  std::map<std::size_t, std::pair<double, std::size_t>> best; // distance and number of a seed, by constriction
   for(const SMC::Refined_curve& r : refined)
   {
     if(r.curve.nodes.empty())
@@ -236,8 +236,7 @@ Level_set levels_to_show(const Progressive_mesh& pm, const std::vector<Followed_
 
 // Notes the curves on the levels that are to be shown. Of curves that have met one is noted, but each seed where it
 // appears.
-class Frame_recorder
-  : public SMC::Refinement_visitor_base
+class Frame_recorder : public SMC::Refinement_visitor_base
 {
 public:
   Frame_recorder(const Progressive_mesh& pm, const Unit& unit, const std::vector<Followed_seed>& followed,
@@ -280,8 +279,8 @@ private:
   const Unit& m_unit;
   const std::vector<Followed_seed>& m_followed;
   const Level_set& m_levels;
-  std::vector<std::function<SMC::Closed_curve()> > m_curves; // by seed, as it is now; none before it appears
-  std::vector<SMC::Closed_curve> m_appearing;                // by seed, as it is on its level
+  std::vector<std::function<SMC::Closed_curve()>> m_curves; // by seed, as it is now; none before it appears
+  std::vector<SMC::Closed_curve> m_appearing;               // by seed, as it is on its level
 };
 
 } // namespace
@@ -296,7 +295,7 @@ Playback record_playback(const Mesh& mesh, const std::vector<Constriction>& cons
   result.number_followed = (std::min)(constrictions.size(), followed_constrictions);
   result.surface = shown_levels(mesh, levels, unit);
 
-  std::vector<std::vector<Mesh::Point> > ends(result.number_followed);
+  std::vector<std::vector<Mesh::Point>> ends(result.number_followed);
   for(std::size_t c = 0; c < ends.size(); ++c)
     constrictions[c].points(mesh, std::back_inserter(ends[c]));
   const std::vector<Followed_seed> followed = best_seeds(levels, unit, ends, seeds_to_try(mesh, constrictions));

@@ -84,10 +84,7 @@ private:
   double m_radius;
 };
 
-std::uint32_t number(std::size_t n)
-{
-  return static_cast<std::uint32_t>(n);
-}
+std::uint32_t number(std::size_t n) { return static_cast<std::uint32_t>(n); }
 
 // The input, split along the curves.
 void add_surface(const Parts& parts, const Frame& frame, Data_block& block)

@@ -41,7 +41,8 @@ public:
   {
     std::vector<Index> vertices;
     Index i = m_begin[number];
-    do {
+    do
+    {
       vertices.push_back(m_nodes[i].vertex);
       i = m_nodes[i].next;
     } while(i != m_begin[number]);

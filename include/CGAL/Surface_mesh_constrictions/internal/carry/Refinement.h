@@ -95,7 +95,8 @@ private:
     m_centre = m_pm.next_split().kept;
     const Index begin = m_pm.outgoing(m_centre);
     Index h = begin;
-    do {
+    do
+    {
       m_network.for_each_arc_in_face(m_pm.face(h), [&](Index id) {
         const Arc& a = m_network.arc(id);
         if(!a.is_edge() || a.from == m_centre || a.to == m_centre)
@@ -132,7 +133,8 @@ private:
       return;
     }
     Index id = begin;
-    do {
+    do
+    {
       Job job;
       job.first = job.last = id;
       while(m_network.arc(job.last).to == m_centre)

@@ -51,8 +51,8 @@ template <class ConcurrencyTag, class PathOf>
 std::vector<std::size_t> paths_asked_for(std::size_t number_of_paths, const PathOf& path_of, const Progressive_mesh& pm,
                                          const Surface_sides& sides, double maximum_isoperimetric_ratio)
 {
-  auto groups = make_groups<std::vector<std::size_t> >(number_of_paths, 512);
-  CGAL::for_each<ConcurrencyTag>(groups, [&](Group<std::vector<std::size_t> >& group) {
+  auto groups = make_groups<std::vector<std::size_t>>(number_of_paths, 512);
+  CGAL::for_each<ConcurrencyTag>(groups, [&](Group<std::vector<std::size_t>>& group) {
     for(std::size_t i = group.begin; i < group.end; ++i)
     {
       const std::vector<Index> path = path_of(i);
@@ -62,7 +62,7 @@ std::vector<std::size_t> paths_asked_for(std::size_t number_of_paths, const Path
     return true;
   });
   std::vector<std::size_t> result;
-  for(const Group<std::vector<std::size_t> >& group : groups)
+  for(const Group<std::vector<std::size_t>>& group : groups)
     result.insert(result.end(), group.result.begin(), group.result.end());
   return result;
 }
@@ -72,13 +72,13 @@ std::vector<std::size_t> paths_asked_for(std::size_t number_of_paths, const Path
 constexpr double least_coarse_prominence = 1e-4;
 
 // Adds simple closed geodesics with these traces, curves of a network, to `result`, if they are no less prominent and a
-// `Crossing_filter` lets them pass, if curves are not to cross. What a less prominent one slides to stands for it, and is
-// taken to the network if it is not there: add_seed(path) enters a closed path of edges that shortens to it, and returns
-// the number of that seed. If this level holds it at all, it is added itself, too, but does not count as one that others
-// cross. Cost: that of `Barrier_search::search()` for each.
+// `Crossing_filter` lets them pass, if curves are not to cross. What a less prominent one slides to stands for it, and
+// is taken to the network if it is not there: add_seed(path) enters a closed path of edges that shortens to it, and
+// returns the number of that seed. If this level holds it at all, it is added itself, too, but does not count as one
+// that others cross. Cost: that of `Barrier_search::search()` for each.
 template <class AddSeed>
 void add_prominent_curves(Curve_network& network, std::vector<Index> curves,
-                          std::vector<std::vector<Trace_point> > traces, const Surface_sides& sides,
+                          std::vector<std::vector<Trace_point>> traces, const Surface_sides& sides,
                           double minimum_prominence, bool with_crossing, const AddSeed& add_seed,
                           std::vector<Index>& result)
 {
@@ -139,8 +139,8 @@ void add_prominent_curves(Curve_network& network, std::vector<Index> curves,
 
 // Of the closed geodesics of a level the ones that may be asked for, as far as this level tells: those of no greater
 // isoperimetric ratio and no less prominence, which do not cross others if these are not to. Curves that are not simple
-// here may be on a finer level. Curves may be added, see `add_prominent_curves()`. Ascending. Cost: that of the areas and
-// prominences.
+// here may be on a finer level. Curves may be added, see `add_prominent_curves()`. Ascending. Cost: that of the areas
+// and prominences.
 template <class ConcurrencyTag, class AddSeed>
 std::vector<Index> curves_asked_for(Curve_network& network, const Surface_sides& sides,
                                     double maximum_isoperimetric_ratio, double minimum_prominence, bool with_crossing,
@@ -160,7 +160,7 @@ std::vector<Index> curves_asked_for(Curve_network& network, const Surface_sides&
   struct Candidates
   {
     std::vector<Index> simple, not_simple;
-    std::vector<std::vector<Trace_point> > traces;
+    std::vector<std::vector<Trace_point>> traces;
   };
   auto groups = make_groups<Candidates>(all.size(), 128);
   CGAL::for_each<ConcurrencyTag>(groups, [&](Group<Candidates>& group) {
@@ -179,7 +179,7 @@ std::vector<Index> curves_asked_for(Curve_network& network, const Surface_sides&
     }
     return true;
   });
-  std::vector<std::vector<Trace_point> > traces;
+  std::vector<std::vector<Trace_point>> traces;
   for(Group<Candidates>& group : groups)
   {
     result.insert(result.end(), group.result.not_simple.begin(), group.result.not_simple.end());

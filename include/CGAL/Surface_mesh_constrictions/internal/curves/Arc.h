@@ -97,7 +97,8 @@ Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const A
   const Index out = start_halfedge(pm, outgoing), in = end_halfedge(pm, incoming);
   double total = 0, left = 0;
   Index h = out;
-  do {
+  do
+  {
     if(h == in)
       left = total + incoming.end_angle - outgoing.start_angle;
     total += corner(h);
@@ -106,9 +107,8 @@ Side_angles side_angles(const Progressive_mesh& pm, const Arc& incoming, const A
   if(total == (std::numeric_limits<double>::infinity)())
   {
     if(in == out)
-      return incoming.end_angle >= outgoing.start_angle
-                 ? Side_angles{incoming.end_angle - outgoing.start_angle, total}
-                 : Side_angles{total, outgoing.start_angle - incoming.end_angle};
+      return incoming.end_angle >= outgoing.start_angle ? Side_angles{incoming.end_angle - outgoing.start_angle, total}
+                                                        : Side_angles{total, outgoing.start_angle - incoming.end_angle};
     if(left < total)
       return {(std::max)(left, 0.), total};
     double right = outgoing.start_angle - incoming.end_angle;
@@ -153,7 +153,8 @@ inline void append_fan(const Progressive_mesh& pm, const Arc& incoming, const Ar
   if(side == Curve_side::LEFT)
   {
     Index h = incoming.is_edge() ? pm.cw(in) : in;
-    do {
+    do
+    {
       if(h == out && in != out)
         return;
       strip.push_back(h);

@@ -42,7 +42,8 @@ inline std::vector<Index> crossings_beside_pivots(const Progressive_mesh& pm, co
     }
     const Pivot_fan fan = pivot_fan(pm, trace, i);
     Index h = fan.arrives_along_edge ? pm.cw(fan.in) : fan.in;
-    do {
+    do
+    {
       if(h == fan.out && fan.in != fan.out)
         break;
       result.push_back(h);
@@ -129,7 +130,7 @@ private:
 
   private:
     std::vector<Index> m_place; // of the curves of an element, 0 if it has none
-    std::vector<std::vector<Index> > m_curves;
+    std::vector<std::vector<Index>> m_curves;
   };
 
   const Progressive_mesh& m_pm;

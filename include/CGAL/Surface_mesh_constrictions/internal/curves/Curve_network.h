@@ -27,9 +27,9 @@ public:
   {
     Arc arc;
     Index curve, previous, next;
-    std::uint64_t hash;   // as it was when the arc was entered
-    Index last_face;      // on the other side of the edge, or of the last crossing, when the arc was entered
-    Index stamp = 0;      // changes each time the id is given to another arc, or taken from one
+    std::uint64_t hash; // as it was when the arc was entered
+    Index last_face;    // on the other side of the edge, or of the last crossing, when the arc was entered
+    Index stamp = 0;    // changes each time the id is given to another arc, or taken from one
   };
 
   struct Curve
@@ -40,8 +40,7 @@ public:
     std::vector<std::size_t> seeds;
   };
 
-  Curve_network(const Progressive_mesh& pm, bool with_face_index)
-    : m_pm(pm)
+  Curve_network(const Progressive_mesh& pm, bool with_face_index) : m_pm(pm)
   {
     if(with_face_index)
       m_arcs_of_face.assign(pm.number_of_face_ids(), null_index);
@@ -177,7 +176,7 @@ public:
   {
     if(m_curves[c].hash != m_curves[d].hash || m_curves[c].size != m_curves[d].size)
       return false;
-    std::vector<std::pair<Index, Index> > s = signature(c), t = signature(d);
+    std::vector<std::pair<Index, Index>> s = signature(c), t = signature(d);
     if(s.size() != t.size())
       return false;
     const std::size_t n = s.size();
@@ -191,7 +190,7 @@ public:
         if(i == n)
           return true;
       }
-      t = std::vector<std::pair<Index, Index> >(t.rbegin(), t.rend());
+      t = std::vector<std::pair<Index, Index>>(t.rbegin(), t.rend());
     }
     return false;
   }
@@ -203,9 +202,9 @@ private:
   };
 
   // (0, pivot) and (1, crossed edge), in order
-  std::vector<std::pair<Index, Index> > signature(Index c) const
+  std::vector<std::pair<Index, Index>> signature(Index c) const
   {
-    std::vector<std::pair<Index, Index> > s;
+    std::vector<std::pair<Index, Index>> s;
     for_each_arc(c, [&](Index id) {
       s.emplace_back(0, arc(id).from);
       for(Index h : arc(id).crossings)

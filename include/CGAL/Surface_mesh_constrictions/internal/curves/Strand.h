@@ -84,8 +84,8 @@ inline bool is_simple(const Progressive_mesh& pm, const std::vector<Trace_point>
   for(std::size_t i = 0; i < s.size(); ++i)
     for(std::size_t j = i + 1; j < s.size() && s[j].face == s[i].face; ++j)
     {
-      const bool touches = s[i].entry == s[j].entry || s[i].entry == s[j].exit || s[i].exit == s[j].entry ||
-                           s[i].exit == s[j].exit;
+      const bool touches =
+          s[i].entry == s[j].entry || s[i].entry == s[j].exit || s[i].exit == s[j].entry || s[i].exit == s[j].exit;
       if(touches)
       {
         // the two strands of one pivot share a corner

@@ -49,8 +49,7 @@ class Surface_sides
 {
 public:
   // Linear.
-  explicit Surface_sides(const Progressive_mesh& pm)
-    : m_pm(pm), m_cycles(pm), m_volume(pm.number_of_face_ids(), 0)
+  explicit Surface_sides(const Progressive_mesh& pm) : m_pm(pm), m_cycles(pm), m_volume(pm.number_of_face_ids(), 0)
   {
     for(Index f = 0; f < m_volume.size(); ++f)
       if(pm.is_face(f))
@@ -96,9 +95,9 @@ public:
     return result;
   }
 
-  // The area that a simple closed curve must sweep at least to become another one of its class. Where they cross, that is
-  // the area of all that lies between them. Both are moved to the next vertices, to the left and to the right, and the
-  // mean is taken. O(k log k) for k points.
+  // The area that a simple closed curve must sweep at least to become another one of its class. Where they cross, that
+  // is the area of all that lies between them. Both are moved to the next vertices, to the left and to the right, and
+  // the mean is taken. O(k log k) for k points.
   double area_between(const std::vector<Trace_point>& trace, const std::vector<Trace_point>& other) const
   {
     double sum = 0;
@@ -173,7 +172,8 @@ private:
     {
       const Index begin = m_pm.outgoing(p.pivot);
       Index h = begin;
-      do {
+      do
+      {
         add(m_pm.face(h));
         h = m_pm.ccw(h);
       } while(h != begin);

@@ -47,8 +47,8 @@ public:
     {
       double distance = (std::numeric_limits<double>::max)();
       for(std::size_t i = 0; i < other.m_corners.size(); ++i)
-        distance = (std::min)(distance, distance_to_segment(p, other.m_corners[i],
-                                                            other.m_corners[(i + 1) % other.m_corners.size()]));
+        distance = (std::min)(
+            distance, distance_to_segment(p, other.m_corners[i], other.m_corners[(i + 1) % other.m_corners.size()]));
       if(distance > tolerance)
         return false;
     }

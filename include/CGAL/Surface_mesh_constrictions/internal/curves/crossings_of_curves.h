@@ -17,14 +17,14 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-typedef std::vector<std::vector<Index> > Earlier_curves; // for each of some curves, some of those before it
+typedef std::vector<std::vector<Index>> Earlier_curves; // for each of some curves, some of those before it
 
 // For each of some closed geodesics those before it that it crosses an odd number of times. One is moved a little to
 // its left, the other one to the vertices next to it: that does not change the number modulo 2.
 // Linear in the size of the mesh, plus, for each pair, in the length of one of the two.
-inline Earlier_curves odd_crossings(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point> >& traces)
+inline Earlier_curves odd_crossings(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point>>& traces)
 {
-  std::vector<std::vector<Index> > edges; // of the path beside each curve
+  std::vector<std::vector<Index>> edges; // of the path beside each curve
   for(const std::vector<Trace_point>& t : traces)
   {
     edges.emplace_back();
@@ -60,9 +60,9 @@ inline Earlier_curves odd_crossings(const Progressive_mesh& pm, const std::vecto
 // For each of some closed geodesics those before it that it crosses inside a face.
 // O(n log n) for n points, plus the squared number of strands in each face.
 inline Earlier_curves crossings_in_faces(const Progressive_mesh& pm,
-                                         const std::vector<std::vector<Trace_point> >& traces)
+                                         const std::vector<std::vector<Trace_point>>& traces)
 {
-  std::vector<std::pair<Strand, Index> > all;
+  std::vector<std::pair<Strand, Index>> all;
   for(Index i = 0; i < traces.size(); ++i)
     for(const Strand& s : strands(pm, traces[i]))
       all.emplace_back(s, i);

@@ -22,8 +22,8 @@ inline std::vector<Index> vertices_passed(const Progressive_mesh& pm, const std:
   return vertices;
 }
 
-// The closed path of edges beside a closed curve without pivots that crosses these halfedges, on its left; along the rims
-// of holes where it crosses edges of ghosts. Linear.
+// The closed path of edges beside a closed curve without pivots that crosses these halfedges, on its left; along the
+// rims of holes where it crosses edges of ghosts. Linear.
 inline std::vector<Index> path_inside(const Progressive_mesh& pm, const Strip& strip)
 {
   std::vector<Index> path;

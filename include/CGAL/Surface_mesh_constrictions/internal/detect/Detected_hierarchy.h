@@ -46,8 +46,8 @@ public:
 
   // Measures the curves that have been found, and adds those that they slide to: to `found`, sorted by length and each
   // once, and their seeds to `refined` and `seeds`. A curve on the way that hardly holds itself is passed by.
-  // certify(found) certifies new curves, and drops those that are no constrictions. Returns the number of seeds of curves
-  // passed by. Cost: that of `Barrier_search::search()` for each curve.
+  // certify(found) certifies new curves, and drops those that are no constrictions. Returns the number of seeds of
+  // curves passed by. Cost: that of `Barrier_search::search()` for each curve.
   template <class ConcurrencyTag, class Certify>
   std::size_t close(std::vector<Found_curve>& found, std::vector<Refined_curve>& refined,
                     std::vector<Seed_curve>& seeds, const Certify& certify)
@@ -128,9 +128,9 @@ private:
     return sum;
   }
 
-  // Curves passed by may slide to each other: of twins that correction has made one, or has made of another length, each
-  // may stand for the other. Then the first one in a ring is measured again, without ties: it joins `added`. If it was
-  // so measured, it is where the ways along the ring end.
+  // Curves passed by may slide to each other: of twins that correction has made one, or has made of another length,
+  // each may stand for the other. Then the first one in a ring is measured again, without ties: it joins `added`. If it
+  // was so measured, it is where the ways along the ring end.
   void break_rings(const std::vector<Found_curve>& found, std::vector<Found_curve>& added)
   {
     const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
@@ -167,17 +167,17 @@ private:
     }
   }
 
-  // What a curve slides to may have been corrected to the curve itself, or to one of the same length that does not stand
-  // for it. Of two curves of the same length either slides to the other over the same barrier, so that of all that hang
-  // together so the first one takes the others. If it has no other end than one of them, or if there are none, it is
-  // measured again, once, without ties.
+  // What a curve slides to may have been corrected to the curve itself, or to one of the same length that does not
+  // stand for it. Of two curves of the same length either slides to the other over the same barrier, so that of all
+  // that hang together so the first one takes the others. If it has no other end than one of them, or if there are
+  // none, it is measured again, once, without ties.
   void mend_wrong_ends(const std::vector<Found_curve>& found)
   {
     const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
     const std::vector<std::size_t> rank = ranks(found);
     std::vector<std::size_t> order(found.size());
     std::vector<bool> is_wrong(found.size(), false);
-    std::vector<std::vector<std::pair<std::size_t, double> > > ties(found.size()); // to which ones, over which barrier
+    std::vector<std::vector<std::pair<std::size_t, double>>> ties(found.size()); // to which ones, over which barrier
     for(std::size_t i = 0; i < found.size(); ++i)
     {
       order[rank[i]] = i;
@@ -202,7 +202,7 @@ private:
       if(is_wrong[first] && m_without_ties.insert(found[first].curve).second)
         forget(found[first].curve);
       is_taken[first] = true;
-      std::vector<std::pair<std::size_t, double> > stack(1, {first, 0}); // and the height of the way to the first
+      std::vector<std::pair<std::size_t, double>> stack(1, {first, 0}); // and the height of the way to the first
       while(!stack.empty())
       {
         const std::pair<std::size_t, double> from = stack.back();
@@ -243,15 +243,17 @@ private:
     return result;
   }
 
-  // The places of curves in the order of length; of those of the same length the one that stands for all comes first. What
-  // dominates a curve comes before it, so that each way along what dominates has an end. Curves found, sorted by length.
+  // The places of curves in the order of length; of those of the same length the one that stands for all comes first.
+  // What dominates a curve comes before it, so that each way along what dominates has an end. Curves found, sorted by
+  // length.
   std::vector<std::size_t> ranks(const std::vector<Found_curve>& found) const
   {
     std::vector<std::size_t> order(found.size()), result(found.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     for(std::size_t begin = 0, end = 0; begin < found.size(); begin = end)
     {
-      do {
+      do
+      {
         ++end;
       } while(end < found.size() &&
               found[end].length - found[end - 1].length <= equal_length_tolerance * found[end].length);
@@ -352,7 +354,7 @@ private:
   const Surface_sides& m_sides;
   Curve_network& m_network;
   Prominence_meter m_meter;
-  std::vector<std::optional<Entry> > m_entries; // by seed: set for one seed of each curve that has been measured
+  std::vector<std::optional<Entry>> m_entries;     // by seed: set for one seed of each curve that has been measured
   std::unordered_map<std::size_t, Index> m_curves; // by seed: that a curve that was measured slides to
   std::unordered_set<Index> m_without_ties;        // curves of the network
   std::vector<Index> m_passed;                     // curves of the network that are not found, but were measured

@@ -58,8 +58,7 @@ Carrying_parameters carrying_parameters(const NamedParameters& np)
 
 // Forwards the progress of the refinement to a detection visitor.
 template <class Visitor>
-struct Refinement_progress
-  : public Refinement_visitor_base
+struct Refinement_progress : public Refinement_visitor_base
 {
   const Visitor& visitor;
   std::size_t levels, done = 0;

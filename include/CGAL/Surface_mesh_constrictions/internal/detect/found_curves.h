@@ -128,8 +128,8 @@ std::size_t drop_too_long(const Curve_network& network, const Surface_sides& sid
                           bool with_rims, std::vector<Found_curve>& found)
 {
   const Progressive_mesh& pm = network.surface();
-  auto kept = make_groups<std::vector<Found_curve> >(found.size(), 32);
-  CGAL::for_each<ConcurrencyTag>(kept, [&](Group<std::vector<Found_curve> >& group) {
+  auto kept = make_groups<std::vector<Found_curve>>(found.size(), 32);
+  CGAL::for_each<ConcurrencyTag>(kept, [&](Group<std::vector<Found_curve>>& group) {
     for(std::size_t i = group.begin; i < group.end; ++i)
     {
       const std::vector<Arc> arcs = arcs_of_curve(network, found[i].curve);
@@ -148,7 +148,7 @@ std::size_t drop_too_long(const Curve_network& network, const Surface_sides& sid
   });
   const std::size_t number = found.size();
   found.clear();
-  for(const Group<std::vector<Found_curve> >& group : kept)
+  for(const Group<std::vector<Found_curve>>& group : kept)
     found.insert(found.end(), group.result.begin(), group.result.end());
   return number - found.size();
 }
@@ -202,7 +202,7 @@ inline void merge_coinciding(Curve_network& network, std::vector<Found_curve>& f
 struct Certified_curves
 {
   std::vector<Certificate> certificates;
-  std::vector<std::vector<Arc> > arcs;
+  std::vector<std::vector<Arc>> arcs;
   std::size_t corrections = 0;
 };
 
@@ -262,8 +262,7 @@ void certify_found(Curve_network& network, const MakeSettler& make_settler, doub
       statistics.signs = statistics.signs + f.certificate.signs;
       network.set_arcs(f.curve, group.result.arcs[i - group.begin]);
       if(f.certificate.is_certified() ||
-         (keeps_open &&
-          remains_open(network.surface(), arcs_of_curve(network, f.curve), f.certificate.verdict)))
+         (keeps_open && remains_open(network.surface(), arcs_of_curve(network, f.curve), f.certificate.verdict)))
       {
         f.length = network.length(f.curve);
         f.band_width = f.certificate.flat_band_width / unit;

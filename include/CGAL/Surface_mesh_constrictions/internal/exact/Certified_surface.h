@@ -52,7 +52,7 @@ Rational_point rational_point(const Point& p)
     if(!result)
       throw Invalid_input(Input_defect::IRRATIONAL_COORDINATE, 0,
                           "irrational coordinate: no proof for points with a coordinate near " +
-                          std::to_string(CGAL::to_double(x)) + " that is not a rational number of moderate size");
+                              std::to_string(CGAL::to_double(x)) + " that is not a rational number of moderate size");
     return *result;
   };
   return {{exact(p.x()), exact(p.y()), exact(p.z())}};
@@ -62,22 +62,40 @@ Rational_point rational_point(const Point& p)
 namespace graph {
 
 template <class Halfedge, class Graph>
-Halfedge next_halfedge(Halfedge h, const Graph& g) { return next(h, g); }
+Halfedge next_halfedge(Halfedge h, const Graph& g)
+{
+  return next(h, g);
+}
 
 template <class Halfedge, class Graph>
-Halfedge opposite_halfedge(Halfedge h, const Graph& g) { return opposite(h, g); }
+Halfedge opposite_halfedge(Halfedge h, const Graph& g)
+{
+  return opposite(h, g);
+}
 
 template <class Halfedge, class Graph>
-auto source_vertex(Halfedge h, const Graph& g) { return source(h, g); }
+auto source_vertex(Halfedge h, const Graph& g)
+{
+  return source(h, g);
+}
 
 template <class Halfedge, class Graph>
-auto target_vertex(Halfedge h, const Graph& g) { return target(h, g); }
+auto target_vertex(Halfedge h, const Graph& g)
+{
+  return target(h, g);
+}
 
 template <class Halfedge, class Graph>
-Halfedge prev_halfedge(Halfedge h, const Graph& g) { return prev(h, g); }
+Halfedge prev_halfedge(Halfedge h, const Graph& g)
+{
+  return prev(h, g);
+}
 
 template <class Vertex, class Graph>
-auto incoming_halfedge(Vertex v, const Graph& g) { return halfedge(v, g); }
+auto incoming_halfedge(Vertex v, const Graph& g)
+{
+  return halfedge(v, g);
+}
 
 } // namespace graph
 

@@ -41,7 +41,7 @@ struct Finding
   Certificate certificate;
   std::size_t arc = 0;        // that is not straight, or that starts at the pivot with an angle below pi
   bool is_whole_turn = false; // of that angle, if both arcs are in one face: whether it goes around the whole pivot
-  std::array<std::vector<Exact_arc<Surface> >, 2> band_ends; // the last copies of flat bands on the left and right
+  std::array<std::vector<Exact_arc<Surface>>, 2> band_ends; // the last copies of flat bands on the left and right
 
   explicit Finding(Certificate_verdict verdict, std::size_t arc = 0) : arc(arc) { certificate.verdict = verdict; }
 };
@@ -96,16 +96,17 @@ public:
     Finding<Surface> result(Certificate_verdict::NOT_COMPUTED, i);
     if(arc.is_edge())
     {
-      const Planar<Interval_nt<false> > along(1, 0);
+      const Planar<Interval_nt<false>> along(1, 0);
       directions = {along, along};
       return result;
     }
     const std::vector<Strip_corner> corners = strip_corners(surface(), arc.crossings);
     Prismatic_ties<Surface> ties(surface(), arc.crossings);
-    const std::vector<Proved_sign> signs =
-        m_prover.signs(corners.size(), [&](const auto& arithmetic, auto& values) {
+    const std::vector<Proved_sign> signs = m_prover.signs(
+        corners.size(),
+        [&](const auto& arithmetic, auto& values) {
           const auto strip = unfold(surface(), arithmetic, arc);
-          if constexpr(std::is_same<std::decay_t<decltype(arithmetic)>, Interval_arithmetic<Surface> >::value)
+          if constexpr(std::is_same<std::decay_t<decltype(arithmetic)>, Interval_arithmetic<Surface>>::value)
             directions = {strip.apex, end_direction(arithmetic, strip)};
           for(std::size_t c = 0; c < corners.size(); ++c)
             if(values.wants(c))
@@ -117,16 +118,16 @@ public:
         },
         [&](std::size_t c) {
           return ties([&](const Prismatic_strip<Surface>& strip) {
-            const Proved_sign turn = strip.turn(strip.start(), strip.end(),
-                                                strip.corner(corners[c].portal, corners[c].side));
+            const Proved_sign turn =
+                strip.turn(strip.start(), strip.end(), strip.corner(corners[c].portal, corners[c].side));
             return corners[c].side == Curve_side::LEFT ? turn : opposite_sign(turn);
           });
         });
     for(std::size_t c = 0; c < corners.size(); ++c)
       if(signs[c] != Proved_sign::POSITIVE)
       {
-        result.certificate.verdict = signs[c] == Proved_sign::UNPROVED ? Certificate_verdict::TIE_NOT_PROVED
-                                                                       : Certificate_verdict::NOT_STRAIGHT;
+        result.certificate.verdict =
+            signs[c] == Proved_sign::UNPROVED ? Certificate_verdict::TIE_NOT_PROVED : Certificate_verdict::NOT_STRAIGHT;
         result.certificate.location = arc.location + 1 + corners[c].portal;
         result.certificate.side = corners[c].side;
         return result;
@@ -178,7 +179,8 @@ private:
         if(sign == Proved_sign::NEGATIVE || sign == Proved_sign::UNPROVED)
         {
           Finding<Surface> result(sign == Proved_sign::NEGATIVE ? Certificate_verdict::ANGLE_BELOW_PI
-                                                                : Certificate_verdict::TIE_NOT_PROVED, i);
+                                                                : Certificate_verdict::TIE_NOT_PROVED,
+                                  i);
           result.certificate.location = arcs[i].location;
           result.certificate.side = side;
           result.is_whole_turn = known[i].is_whole_turn[s];
@@ -208,8 +210,8 @@ private:
       result.band_ends[side == Curve_side::LEFT ? 0 : 1] = std::move(end.curve);
       if(end.outcome == Band_outcome::HOLDS)
         continue;
-      result.certificate.verdict = end.outcome == Band_outcome::LEAKS ? Certificate_verdict::LEAKY_BAND
-                                                                      : Certificate_verdict::TIE_NOT_PROVED;
+      result.certificate.verdict =
+          end.outcome == Band_outcome::LEAKS ? Certificate_verdict::LEAKY_BAND : Certificate_verdict::TIE_NOT_PROVED;
       result.certificate.location = arcs.front().location;
       result.certificate.side = side;
       return result;

@@ -71,8 +71,8 @@ private:
   {
     const auto a = m_surface.source(h);
     const Vector u = vector(a, m_surface.target(h)), v = vector(a, m_surface.source(m_surface.prev(h)));
-    const NT square_area = square(u[1] * v[2] - u[2] * v[1]) + square(u[2] * v[0] - u[0] * v[2]) +
-                           square(u[0] * v[1] - u[1] * v[0]);
+    const NT square_area =
+        square(u[1] * v[2] - u[2] * v[1]) + square(u[2] * v[0] - u[0] * v[2]) + square(u[0] * v[1] - u[1] * v[0]);
     return {u[0] * v[0] + u[1] * v[1] + u[2] * v[2], square(u[0]) + square(u[1]) + square(u[2]), sqrt(square_area)};
   }
 

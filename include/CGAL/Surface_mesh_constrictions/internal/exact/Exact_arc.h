@@ -75,16 +75,16 @@ struct Exact_portal
 template <class NT>
 struct Unfolded_strip
 {
-  std::vector<Exact_portal<NT> > portals;
+  std::vector<Exact_portal<NT>> portals;
   Planar<NT> apex; // the corner that the last halfedge is crossed to
 };
 
 // Unfolds a strip into the plane, its first portal given. The vectors along the portals are products of numbers of
 // the faces, not differences of positions, so that intervals stay narrow. Linear.
 template <class Surface, class Arithmetic>
-Unfolded_strip<typename Arithmetic::NT>
-unfold(const Surface& s, const Arithmetic& arithmetic, const Exact_portal<typename Arithmetic::NT>& first,
-       const std::vector<typename Surface::Halfedge>& strip)
+Unfolded_strip<typename Arithmetic::NT> unfold(const Surface& s, const Arithmetic& arithmetic,
+                                               const Exact_portal<typename Arithmetic::NT>& first,
+                                               const std::vector<typename Surface::Halfedge>& strip)
 {
   Unfolded_strip<typename Arithmetic::NT> result;
   Exact_portal<typename Arithmetic::NT> portal = first;
@@ -107,8 +107,8 @@ unfold(const Surface& s, const Arithmetic& arithmetic, const Exact_portal<typena
 
 // Unfolds the strip of an arc with crossings, `from` to the origin and its start halfedge to the positive x axis.
 template <class Surface, class Arithmetic>
-Unfolded_strip<typename Arithmetic::NT>
-unfold(const Surface& s, const Arithmetic& arithmetic, const Exact_arc<Surface>& arc)
+Unfolded_strip<typename Arithmetic::NT> unfold(const Surface& s, const Arithmetic& arithmetic,
+                                               const Exact_arc<Surface>& arc)
 {
   const Planar<typename Arithmetic::NT> right = {arithmetic.number(1), arithmetic.number(0)};
   return unfold(s, arithmetic, {arithmetic.ratio(s.prev(arc.crossings.front())), right}, arc.crossings);
@@ -145,7 +145,7 @@ Planar<typename Arithmetic::NT> end_direction(const Surface& s, const Arithmetic
 // The directions of an arc at its ends, rounded: what start_direction() and end_direction() give for intervals.
 struct Rounded_directions
 {
-  Planar<Interval_nt<false> > start, end;
+  Planar<Interval_nt<false>> start, end;
 };
 
 // A corner of a strip: an end of the portals from number `portal` on, until the end on that side changes.
@@ -184,7 +184,8 @@ void append_fan(const Surface& s, const Exact_arc<Surface>& incoming, const Exac
   if(side == Curve_side::LEFT)
   {
     typename Surface::Halfedge h = incoming.is_edge() ? cw(s, in) : in;
-    do {
+    do
+    {
       if(h == out && in != out)
         return;
       strip.push_back(h);

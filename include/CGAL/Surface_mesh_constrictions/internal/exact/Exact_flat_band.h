@@ -21,7 +21,7 @@ namespace internal {
 // The signs of angle - pi at all pivots of a closed curve, on one side. Element i is that of the pivot where arc i
 // starts.
 template <class Surface>
-std::vector<Proved_sign> signs_beyond_pi(Sign_prover<Surface>& prover, const std::vector<Exact_arc<Surface> >& arcs,
+std::vector<Proved_sign> signs_beyond_pi(Sign_prover<Surface>& prover, const std::vector<Exact_arc<Surface>>& arcs,
                                          Curve_side side)
 {
   std::vector<Proved_sign> result;
@@ -32,14 +32,19 @@ std::vector<Proved_sign> signs_beyond_pi(Sign_prover<Surface>& prover, const std
 }
 
 // What happens at the end of a flat band.
-enum class Band_outcome { HOLDS, LEAKS, UNPROVED };
+enum class Band_outcome
+{
+  HOLDS,
+  LEAKS,
+  UNPROVED
+};
 
 template <class Surface>
 struct Exact_band_end
 {
   Band_outcome outcome;
-  std::vector<Exact_arc<Surface> > curve; // the last copy
-  double width;                           // from the curve that the band was followed from
+  std::vector<Exact_arc<Surface>> curve; // the last copy
+  double width;                          // from the curve that the band was followed from
 };
 
 // Moves a closed geodesic, all of whose angles on a side are pi, through the flat band on that side to its end: the
@@ -47,7 +52,7 @@ struct Exact_band_end
 // itself, around a flat torus, holds.
 // O(copies that meet vertices) steps, each linear in the faces of the band, times the cost of the arithmetic.
 template <class Surface>
-Exact_band_end<Surface> follow_flat_band(Sign_prover<Surface>& prover, std::vector<Exact_arc<Surface> > curve,
+Exact_band_end<Surface> follow_flat_band(Sign_prover<Surface>& prover, std::vector<Exact_arc<Surface>> curve,
                                          Curve_side side)
 {
   typedef typename Surface::Halfedge Halfedge;
@@ -77,7 +82,7 @@ Exact_band_end<Surface> follow_flat_band(Sign_prover<Surface>& prover, std::vect
     const std::vector<std::size_t> corners = band.nearest_corners();
     if(corners.empty())
       return {Band_outcome::UNPROVED, curve, width};
-    std::vector<Exact_arc<Surface> > moved = band.curve_through(corners);
+    std::vector<Exact_arc<Surface>> moved = band.curve_through(corners);
     if(!visited.insert(moved.front().from).second)
       return {Band_outcome::HOLDS, curve, width};
     width += band.distance(corners.front(), at_pivot);

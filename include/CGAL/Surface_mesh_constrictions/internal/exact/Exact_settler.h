@@ -354,7 +354,7 @@ private:
   bool pull_from_best_corner(const Closed_strip& strip, Exact_curve& loop)
   {
     String_puller puller(m_pm);
-    std::vector<std::pair<double, Closed_strip::Corner> > candidates;
+    std::vector<std::pair<double, Closed_strip::Corner>> candidates;
     for(const Closed_strip::Corner& corner : strip.corners())
       candidates.emplace_back(total_length(strip.shortest_loop(corner, puller)), corner);
     std::stable_sort(candidates.begin(), candidates.end(),

@@ -123,7 +123,8 @@ private:
     std::vector<int> order; // of the rays, counterclockwise
     const Halfedge begin = rays[0].halfedge;
     Halfedge h = begin;
-    do {
+    do
+    {
       std::vector<int> here;
       for(int r = 0; r < 4; ++r)
         if(rays[r].halfedge == h)
@@ -163,7 +164,7 @@ private:
   // Ranks the crossings of each edge. False if two of them are the same point, or an arc runs along the edge.
   bool sort_crossings()
   {
-    std::map<Halfedge, std::vector<Crossing> > of_edge;
+    std::map<Halfedge, std::vector<Crossing>> of_edge;
     for(std::size_t a = 0; a < m_arcs.size(); ++a)
       for(std::size_t i = 0; i < m_arcs[a].crossings.size(); ++i)
         of_edge[edge(surface(), m_arcs[a].crossings[i])].push_back({a, i});
@@ -286,8 +287,8 @@ private:
   Sign_prover<Surface>& m_prover;
   const std::vector<Arc>& m_arcs;
   Meeting m_meeting = {Certificate_verdict::NOT_COMPUTED, 0, 0};
-  std::vector<std::vector<std::size_t> > m_rank; // of each arc's crossings, from 1, along the halfedge crossed
-  std::map<Halfedge, std::size_t> m_count;       // of the crossings of an edge
+  std::vector<std::vector<std::size_t>> m_rank; // of each arc's crossings, from 1, along the halfedge crossed
+  std::map<Halfedge, std::size_t> m_count;      // of the crossings of an edge
   std::size_t m_step = 2;
 };
 

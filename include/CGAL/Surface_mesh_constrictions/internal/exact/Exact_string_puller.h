@@ -66,7 +66,12 @@ private:
   // A point of the unfolded strip: an end of a portal, or the start or the end of the path.
   struct Corner
   {
-    enum Kind { START, PORTAL, END } kind;
+    enum Kind
+    {
+      START,
+      PORTAL,
+      END
+    } kind;
     std::size_t portal;
     Curve_side side;
   };
@@ -87,7 +92,7 @@ private:
 
   // The whole strip, unfolded once by intervals.
   template <class NT>
-  using Unfolded = std::optional<Unfolded_strip<NT> >;
+  using Unfolded = std::optional<Unfolded_strip<NT>>;
 
   // 1, -1, or 0 if the intervals do not tell.
   template <class Arithmetic>
@@ -131,12 +136,12 @@ private:
     std::size_t begin = m_strip->size(), end = 0;
     for(const Corner& corner : {a, b, c})
     {
-      begin = (std::min)(begin, corner.kind == Corner::PORTAL ? corner.portal
+      begin = (std::min)(begin, corner.kind == Corner::PORTAL  ? corner.portal
                                 : corner.kind == Corner::START ? 0
                                                                : begin);
       end = (std::max)(end, corner.kind == Corner::PORTAL ? corner.portal + 1
-                            : corner.kind == Corner::END ? m_strip->size()
-                                                         : 0);
+                            : corner.kind == Corner::END  ? m_strip->size()
+                                                          : 0);
     }
     const bool from_start = a.kind == Corner::START;
     Arc piece;
@@ -147,28 +152,31 @@ private:
              : corner.kind == Corner::END ? prism.end()
                                           : prism.corner(corner.portal - begin, corner.side);
     };
-    const std::vector<Proved_sign> signs = m_prover.signs(2, [&](const auto& arithmetic, auto& values) {
-      typedef typename std::decay_t<decltype(arithmetic)>::NT NT;
-      const Planar<NT> origin(arithmetic.number(0), arithmetic.number(0));
-      const Planar<NT> one(arithmetic.number(1), arithmetic.number(0));
-      const Surface& s = m_prover.surface();
-      const Unfolded_strip<NT> strip = from_start ? unfold(s, arithmetic, piece)
-                                                  : unfold(s, arithmetic, {one, origin}, piece.crossings);
-      const auto position = [&](const Corner& corner) {
-        return corner.kind == Corner::START ? origin
-               : corner.kind == Corner::END ? strip.apex
-                                            : strip.portals[corner.portal - begin].end(corner.side);
-      };
-      const Planar<NT> r = relative(position(b) - position(a), position(c) - position(b));
-      values[0] = r.y();
-      if(values.wants(1))
-        values[1] = r.x();
-    },
-    [&](std::size_t i) {
-      const auto prism = i == 0 ? Prismatic_strip<Surface>::make(m_prover.surface(), piece.crossings) : std::nullopt;
-      return prism ? prism->turn(place_on_prism(*prism, a), place_on_prism(*prism, b), place_on_prism(*prism, c))
-                   : Proved_sign::UNPROVED;
-    });
+    const std::vector<Proved_sign> signs = m_prover.signs(
+        2,
+        [&](const auto& arithmetic, auto& values) {
+          typedef typename std::decay_t<decltype(arithmetic)>::NT NT;
+          const Planar<NT> origin(arithmetic.number(0), arithmetic.number(0));
+          const Planar<NT> one(arithmetic.number(1), arithmetic.number(0));
+          const Surface& s = m_prover.surface();
+          const Unfolded_strip<NT> strip =
+              from_start ? unfold(s, arithmetic, piece) : unfold(s, arithmetic, {one, origin}, piece.crossings);
+          const auto position = [&](const Corner& corner) {
+            return corner.kind == Corner::START ? origin
+                   : corner.kind == Corner::END ? strip.apex
+                                                : strip.portals[corner.portal - begin].end(corner.side);
+          };
+          const Planar<NT> r = relative(position(b) - position(a), position(c) - position(b));
+          values[0] = r.y();
+          if(values.wants(1))
+            values[1] = r.x();
+        },
+        [&](std::size_t i) {
+          const auto prism =
+              i == 0 ? Prismatic_strip<Surface>::make(m_prover.surface(), piece.crossings) : std::nullopt;
+          return prism ? prism->turn(place_on_prism(*prism, a), place_on_prism(*prism, b), place_on_prism(*prism, c))
+                       : Proved_sign::UNPROVED;
+        });
     if(signs[0] == Proved_sign::UNPROVED || (signs[0] == Proved_sign::ZERO && signs[1] == Proved_sign::UNPROVED))
       m_is_proved = false;
     return {signs[0], signs[1]};
@@ -246,7 +254,7 @@ private:
 
   Sign_prover<Surface>& m_prover;
   const std::vector<Halfedge>* m_strip = nullptr;
-  Unfolded<Interval_nt<false> > m_rounded;
+  Unfolded<Interval_nt<false>> m_rounded;
   Unfolded<Multiprecision_interval> m_precise;
   Corner m_apex = {Corner::START, 0, Curve_side::LEFT};
   bool m_is_proved = true;

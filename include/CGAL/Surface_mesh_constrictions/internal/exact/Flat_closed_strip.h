@@ -25,8 +25,8 @@ namespace internal {
 
 // The portals of one turn of a cyclic strip and the first one of the next. The first runs from 0, on its right, to 1.
 template <class Surface, class Arithmetic>
-std::vector<Exact_portal<typename Arithmetic::NT> > unfold_turn(const Surface& s, const Arithmetic& arithmetic,
-                                                                std::vector<typename Surface::Halfedge> strip)
+std::vector<Exact_portal<typename Arithmetic::NT>> unfold_turn(const Surface& s, const Arithmetic& arithmetic,
+                                                               std::vector<typename Surface::Halfedge> strip)
 {
   typedef Planar<typename Arithmetic::NT> Point;
   strip.push_back(strip.front());
@@ -73,14 +73,15 @@ public:
       for(std::size_t i = 0; i < m_corners.size(); ++i)
         if(i != best)
           others.push_back(i);
-      const std::vector<Proved_sign> signs =
-          m_prover.signs(others.size(), [&](const auto& arithmetic, auto& values) {
+      const std::vector<Proved_sign> signs = m_prover.signs(
+          others.size(),
+          [&](const auto& arithmetic, auto& values) {
             const auto portals = unfold_turn(m_prover.surface(), arithmetic, m_strip);
             const auto turn = portals.back().right - portals.front().right;
             for(std::size_t i = 0; i < others.size(); ++i)
               if(values.wants(i))
-                values[i] = determinant(turn, portals[m_corners[others[i]]].end(m_side) -
-                                                  portals[m_corners[best]].end(m_side));
+                values[i] =
+                    determinant(turn, portals[m_corners[others[i]]].end(m_side) - portals[m_corners[best]].end(m_side));
           },
           [&](std::size_t i) {
             if(!heights)
@@ -120,7 +121,8 @@ public:
       arc.to = vertex(end);
       arc.location = 0;
       std::size_t i = begin;
-      do {
+      do
+      {
         i = (i + 1) % m_strip.size();
       } while(i != end && vertex(i) == arc.from);
       const Halfedge o = s.opposite(m_strip[(i + m_strip.size() - 1) % m_strip.size()]);
@@ -140,8 +142,7 @@ public:
     const Interval_arithmetic<Surface> arithmetic(m_prover.surface());
     const auto portals = unfold_turn(m_prover.surface(), arithmetic, m_strip);
     const auto turn = portals.back().right - portals.front().right;
-    const std::size_t i =
-        static_cast<std::size_t>(std::find(m_strip.begin(), m_strip.end(), portal) - m_strip.begin());
+    const std::size_t i = static_cast<std::size_t>(std::find(m_strip.begin(), m_strip.end(), portal) - m_strip.begin());
     const auto across = portals[m_corners[corner]].end(m_side) - portals[i].end(other_side(m_side));
     const auto scale = square_length(m_strip.front()) / (square(turn.x()) + square(turn.y()));
     const double height = CGAL::to_double(determinant(turn, across)), factor = CGAL::to_double(scale);
@@ -160,8 +161,8 @@ private:
     const auto prism = Prismatic_strip<Surface>::make(m_prover.surface(), turn);
     if(!prism)
       return result;
-    const bool is_right = prism->way_right(prism->corner(0, m_side), prism->corner(m_strip.size(), m_side)) ==
-                          Proved_sign::POSITIVE;
+    const bool is_right =
+        prism->way_right(prism->corner(0, m_side), prism->corner(m_strip.size(), m_side)) == Proved_sign::POSITIVE;
     for(std::size_t c : m_corners)
       result.push_back(is_right ? prism->height(vertex(c)) : Integer(-prism->height(vertex(c))));
     return result;

@@ -98,8 +98,7 @@ public:
 
   Planar() = default;
 
-  Planar(const NT& x, const NT& y)
-    : m_x(x.precision()), m_y(y.precision())
+  Planar(const NT& x, const NT& y) : m_x(x.precision()), m_y(y.precision())
   {
     m_radius = set_to_centre(m_x, x) + set_to_centre(m_y, y);
   }

@@ -105,10 +105,7 @@ public:
   mpfr_prec_t precision() const { return mpfr_get_prec(m_low.get()); }
 
   // 1 or -1; 0 if the interval contains 0.
-  int certain_sign() const
-  {
-    return mpfr_sgn(m_low.get()) > 0 ? 1 : mpfr_sgn(m_high.get()) < 0 ? -1 : 0;
-  }
+  int certain_sign() const { return mpfr_sgn(m_low.get()) > 0 ? 1 : mpfr_sgn(m_high.get()) < 0 ? -1 : 0; }
 
   friend Multiprecision_interval operator+(const Multiprecision_interval& a, const Multiprecision_interval& b)
   {

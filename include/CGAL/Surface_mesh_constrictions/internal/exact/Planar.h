@@ -42,15 +42,14 @@ private:
 // radius of a product of discs, relative to its distance from the origin, is no more than the sum of those of the
 // factors. The rounding mode is upward, as Interval_nt<false> needs; the bounds hold in any.
 template <>
-class Planar<Interval_nt<false> >
+class Planar<Interval_nt<false>>
 {
 public:
   typedef Interval_nt<false> NT;
 
   Planar() = default;
 
-  Planar(const NT& x, const NT& y)
-    : m_x(x.inf() + (x.sup() - x.inf()) / 2), m_y(y.inf() + (y.sup() - y.inf()) / 2)
+  Planar(const NT& x, const NT& y) : m_x(x.inf() + (x.sup() - x.inf()) / 2), m_y(y.inf() + (y.sup() - y.inf()) / 2)
   {
     const double dx = (std::max)(x.sup() - m_x, m_x - x.inf()), dy = (std::max)(y.sup() - m_y, m_y - y.inf());
     m_radius = inflate(dx + dy);
@@ -76,8 +75,8 @@ public:
   friend Planar operator*(const Planar& a, const Planar& b)
   {
     const double x = a.m_x * b.m_x - a.m_y * b.m_y, y = a.m_x * b.m_y + a.m_y * b.m_x;
-    const double rounding = 2 * unit_roundoff * (std::abs(a.m_x) + std::abs(a.m_y)) *
-                            (std::abs(b.m_x) + std::abs(b.m_y));
+    const double rounding =
+        2 * unit_roundoff * (std::abs(a.m_x) + std::abs(a.m_y)) * (std::abs(b.m_x) + std::abs(b.m_y));
     return Planar(x, y,
                   inflate(a.distance() * b.m_radius + b.distance() * a.m_radius + a.m_radius * b.m_radius + rounding));
   }
@@ -116,7 +115,7 @@ NT determinant(const Planar<NT>& a, const Planar<NT>& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-inline Interval_nt<false> determinant(const Planar<Interval_nt<false> >& a, const Planar<Interval_nt<false> >& b)
+inline Interval_nt<false> determinant(const Planar<Interval_nt<false>>& a, const Planar<Interval_nt<false>>& b)
 {
   return relative(a, b).y();
 }

@@ -44,7 +44,7 @@ public:
   {
     std::size_t plane; // number of the plane that the point is measured in
     Integer height;
-    Integer right;     // of the origin of the plane, times |n|
+    Integer right; // of the origin of the plane, times |n|
   };
 
   // None if the strip is not prismatic, or is one of a single plane as far as intervals of doubles tell.
@@ -105,10 +105,10 @@ private:
 
   struct Plane
   {
-    Vector origin;         // a point
-    Vector right;          // e x n
-    Integer square_norm;   // of n
-    Integer width;         // from the origin to the edge that leads into the next plane, times |n|
+    Vector origin;       // a point
+    Vector right;        // e x n
+    Integer square_norm; // of n
+    Integer width;       // from the origin to the edge that leads into the next plane, times |n|
   };
 
   Prismatic_strip(const Surface& s, const std::vector<Halfedge>& strip) : m_surface(&s), m_strip(strip) {}
@@ -200,7 +200,7 @@ private:
 
   void take_points()
   {
-    std::map<Vertex, std::array<Rational, 3> > points;
+    std::map<Vertex, std::array<Rational, 3>> points;
     const auto take = [&](Vertex v) {
       if(points.count(v) == 0)
         points.emplace(v, m_surface->rational_point(v));
@@ -298,7 +298,7 @@ private:
   const Surface* m_surface;
   std::vector<Halfedge> m_strip;
   std::optional<Halfedge> m_direction_edge;
-  std::vector<bool> m_is_bent;              // of each edge: whether intervals show that its faces are not coplanar
+  std::vector<bool> m_is_bent; // of each edge: whether intervals show that its faces are not coplanar
   std::map<Vertex, Vector> m_points;
   Vector m_direction;                       // e
   std::vector<Plane> m_planes;              // in the order of the strip
@@ -327,7 +327,7 @@ private:
   const Surface& m_surface;
   std::vector<typename Surface::Halfedge> m_strip;
   bool m_is_made = false;
-  std::optional<Prismatic_strip<Surface> > m_prismatic;
+  std::optional<Prismatic_strip<Surface>> m_prismatic;
 };
 
 } // namespace internal

@@ -43,8 +43,7 @@ public:
   Radical_number() = default;
 
   // The multiple of the product of the sqrt(b_i) whose bits are set. The field must outlive the number.
-  Radical_number(const Rational& coefficient, std::uint64_t mask, Radical_field& field)
-    : m_field(&field)
+  Radical_number(const Rational& coefficient, std::uint64_t mask, Radical_field& field) : m_field(&field)
   {
     if(coefficient != 0)
       m_terms.emplace(mask, coefficient);

@@ -25,7 +25,7 @@ typedef boost::multiprecision::number<boost::multiprecision::gmp_int, boost::mul
 // type.
 
 template <class T>
-std::enable_if_t<std::is_arithmetic<T>::value, std::optional<Rational> > exact_rational(const T& x)
+std::enable_if_t<std::is_arithmetic<T>::value, std::optional<Rational>> exact_rational(const T& x)
 {
   return Rational(x);
 }
@@ -84,7 +84,7 @@ Integer exact_integer(const Integral& x)
 }
 
 template <class FT>
-std::enable_if_t<!std::is_arithmetic<FT>::value, std::optional<Rational> > exact_rational(const FT& x)
+std::enable_if_t<!std::is_arithmetic<FT>::value, std::optional<Rational>> exact_rational(const FT& x)
 {
   typedef CGAL::Fraction_traits<FT> Fraction;
   if constexpr(Fraction::Is_fraction::value)

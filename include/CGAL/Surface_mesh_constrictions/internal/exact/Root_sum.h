@@ -63,7 +63,7 @@ private:
   bool is_zero() const
   {
     // of each square class one integer n, and the sum of its terms as a multiple of sqrt(n)
-    std::vector<std::pair<Integer, Rational> > classes;
+    std::vector<std::pair<Integer, Rational>> classes;
     for(const Term& t : m_terms)
     {
       const Integer d = denominator(t.radicand), n = numerator(t.radicand) * d; // sqrt(radicand) = sqrt(n) / d

@@ -22,12 +22,18 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // The sum of angles in [0, pi], given as complex numbers, compared with pi by intervals.
-enum class Angle_sum { BELOW_PI, AROUND_PI, ABOVE_PI, UNKNOWN };
+enum class Angle_sum
+{
+  BELOW_PI,
+  AROUND_PI,
+  ABOVE_PI,
+  UNKNOWN
+};
 
 // AROUND_PI means that the sum lies strictly between pi / 2 and 3 pi / 2. `product` becomes the product of the numbers
 // unless the answer is ABOVE_PI or UNKNOWN.
 template <class Arithmetic>
-Angle_sum compare_angle_sum(const Arithmetic& arithmetic, const std::vector<Planar<typename Arithmetic::NT> >& angles,
+Angle_sum compare_angle_sum(const Arithmetic& arithmetic, const std::vector<Planar<typename Arithmetic::NT>>& angles,
                             Planar<typename Arithmetic::NT>& product)
 {
   Angle_sum sum = Angle_sum::BELOW_PI;
@@ -69,7 +75,7 @@ Angle_sum compare_angle_sum(const Arithmetic& arithmetic, const std::vector<Plan
 }
 
 template <class Arithmetic>
-Angle_sum compare_angle_sum(const Arithmetic& arithmetic, const std::vector<Planar<typename Arithmetic::NT> >& angles)
+Angle_sum compare_angle_sum(const Arithmetic& arithmetic, const std::vector<Planar<typename Arithmetic::NT>>& angles)
 {
   Planar<typename Arithmetic::NT> product;
   return compare_angle_sum(arithmetic, angles, product);
@@ -86,12 +92,8 @@ public:
   // The directions of the arcs may be given, if they are known.
   Side_angle(Sign_prover<Surface>& prover, const Arc& incoming, const Arc& outgoing, Curve_side side,
              const Rounded_directions* of_incoming = nullptr, const Rounded_directions* of_outgoing = nullptr)
-    : m_prover(prover),
-      m_incoming(incoming),
-      m_outgoing(outgoing),
-      m_of_incoming(of_incoming),
-      m_of_outgoing(of_outgoing),
-      m_side(side),
+    : m_prover(prover), m_incoming(incoming), m_outgoing(outgoing), m_of_incoming(of_incoming),
+      m_of_outgoing(of_outgoing), m_side(side),
       m_first(side == Curve_side::LEFT ? start_halfedge(prover.surface(), outgoing)
                                        : end_halfedge(prover.surface(), incoming)),
       m_last(side == Curve_side::LEFT ? end_halfedge(prover.surface(), incoming)
@@ -147,7 +149,8 @@ private:
   {
     const Surface& s = m_prover.surface();
     Halfedge h = m_first;
-    do {
+    do
+    {
       if(s.is_ghost(h))
         return true;
       h = ccw(s, h);
@@ -170,7 +173,7 @@ private:
   template <class Arithmetic>
   Planar<typename Arithmetic::NT> outgoing_direction(const Arithmetic& arithmetic) const
   {
-    if constexpr(std::is_same<Arithmetic, Interval_arithmetic<Surface> >::value)
+    if constexpr(std::is_same<Arithmetic, Interval_arithmetic<Surface>>::value)
       if(m_of_outgoing != nullptr)
         return m_of_outgoing->start;
     return start_direction(m_prover.surface(), arithmetic, m_outgoing);
@@ -179,7 +182,7 @@ private:
   template <class Arithmetic>
   Planar<typename Arithmetic::NT> incoming_direction(const Arithmetic& arithmetic) const
   {
-    if constexpr(std::is_same<Arithmetic, Interval_arithmetic<Surface> >::value)
+    if constexpr(std::is_same<Arithmetic, Interval_arithmetic<Surface>>::value)
       if(m_of_incoming != nullptr)
         return m_of_incoming->end;
     return end_direction(m_prover.surface(), arithmetic, m_incoming);
@@ -187,9 +190,9 @@ private:
 
   // Angles that add up to the side angle: what is left of the first corner, whole corners, the part of the last one.
   template <class Arithmetic>
-  std::vector<Planar<typename Arithmetic::NT> > angles(const Arithmetic& arithmetic) const
+  std::vector<Planar<typename Arithmetic::NT>> angles(const Arithmetic& arithmetic) const
   {
-    std::vector<Planar<typename Arithmetic::NT> > result;
+    std::vector<Planar<typename Arithmetic::NT>> result;
     result.push_back(relative(first_direction(arithmetic), arithmetic.corner(m_first)));
     for(Halfedge h = ccw(m_prover.surface(), m_first); h != m_last; h = ccw(m_prover.surface(), h))
       result.push_back(arithmetic.corner(h));
@@ -271,7 +274,7 @@ private:
     // the angle is known by the sign of its cosine and the square of its tangent; a right angle has no tangent
     typedef std::pair<int, Rational> Key;
     Rational_corners<Surface> rational(m_prover.surface());
-    std::map<Key, std::vector<std::size_t> > open[2];
+    std::map<Key, std::vector<std::size_t>> open[2];
     std::vector<bool> is_cancelled(corners.size(), false);
     for(std::size_t i = 0; i < corners.size(); ++i)
     {

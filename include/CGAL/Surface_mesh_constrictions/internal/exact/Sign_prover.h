@@ -19,11 +19,17 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-enum class Proved_sign { NEGATIVE, ZERO, POSITIVE, UNPROVED };
+enum class Proved_sign
+{
+  NEGATIVE,
+  ZERO,
+  POSITIVE,
+  UNPROVED
+};
 
 inline Proved_sign opposite_sign(Proved_sign sign)
 {
-  return sign == Proved_sign::POSITIVE ? Proved_sign::NEGATIVE
+  return sign == Proved_sign::POSITIVE   ? Proved_sign::NEGATIVE
          : sign == Proved_sign::NEGATIVE ? Proved_sign::POSITIVE
                                          : sign;
 }
@@ -199,9 +205,9 @@ private:
     if(basis.is_valid())
     {
       m_statistics.finite_field +=
-          find_nonzero<Finite_field_arithmetic<Surface> >(basis, expression, unproved, nonzero, result, false);
+          find_nonzero<Finite_field_arithmetic<Surface>>(basis, expression, unproved, nonzero, result, false);
       m_statistics.algebra +=
-          find_nonzero<Radical_arithmetic<Surface> >(basis, expression, unproved, nonzero, result, true);
+          find_nonzero<Radical_arithmetic<Surface>>(basis, expression, unproved, nonzero, result, true);
     }
     for(mpfr_prec_t precision = 512; contains(nonzero); precision *= 2)
       decide_at(precision, expression, nonzero, result);

@@ -21,7 +21,7 @@ struct Located_arcs
 {
   Certificate_verdict verdict; // NOT_COMPUTED if the arcs are good; else why not
   std::size_t location;        // that does not fit to the next one
-  std::vector<Exact_arc<Surface> > arcs;
+  std::vector<Exact_arc<Surface>> arcs;
 };
 
 // The copy that runs through vertices of the closed geodesic in a strip that is crossed without pivots. There is one
@@ -38,7 +38,8 @@ Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vec
   std::vector<typename Surface::Halfedge> turn = strip;
   turn.push_back(strip.front());
   Prismatic_ties<Surface> ties(s, turn);
-  const std::vector<Proved_sign> rotation = prover.signs(2,
+  const std::vector<Proved_sign> rotation = prover.signs(
+      2,
       [&](const auto& arithmetic, auto& values) {
         const auto portals = unfold_turn(s, arithmetic, strip);
         const auto image = portals.back().left - portals.back().right;
@@ -65,8 +66,8 @@ Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vec
       },
       [&] {
         return ties([&](const Prismatic_strip<Surface>& prism) {
-          const Proved_sign rise = proved_sign(Integer(prism.height(s.target(strip[high])) -
-                                                       prism.height(s.source(strip[low]))));
+          const Proved_sign rise =
+              proved_sign(Integer(prism.height(s.target(strip[high])) - prism.height(s.source(strip[low]))));
           return prism.way_right(prism.corner(0, Curve_side::LEFT), prism.corner(strip.size(), Curve_side::LEFT)) ==
                          Proved_sign::POSITIVE
                      ? rise
@@ -75,8 +76,8 @@ Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vec
       });
   if(width != Proved_sign::POSITIVE)
   {
-    result.verdict = width == Proved_sign::UNPROVED ? Certificate_verdict::TIE_NOT_PROVED
-                                                    : Certificate_verdict::NOT_STRAIGHT;
+    result.verdict =
+        width == Proved_sign::UNPROVED ? Certificate_verdict::TIE_NOT_PROVED : Certificate_verdict::NOT_STRAIGHT;
     return result;
   }
   result.verdict = Certificate_verdict::NOT_COMPUTED;

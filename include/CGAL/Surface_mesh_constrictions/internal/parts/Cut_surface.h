@@ -55,8 +55,8 @@ public:
     {
       const Corner_table::Halfedge& halfedge = table.halfedges[h];
       const bool is_on_border = (h / 3 < m_number_of_faces) != (halfedge.opposite / 3 < m_number_of_faces);
-      sides.push_back({Corner_table::next(h), halfedge.opposite, h / 3, halfedge.source, is_on_border ? border : none,
-                       false});
+      sides.push_back(
+          {Corner_table::next(h), halfedge.opposite, h / 3, halfedge.source, is_on_border ? border : none, false});
     }
     for(std::size_t f = 0; f < faces; ++f)
     {

@@ -124,8 +124,7 @@ public:
     for(std::size_t s = 0; s < m_surface.sides.size(); ++s)
     {
       const Cut_surface::Side& side = m_surface.sides[s];
-      if(m_surface.is_on_curve(s) && side.is_forward && part_of_side(s) != none &&
-         part_of_side(side.opposite) != none)
+      if(m_surface.is_on_curve(s) && side.is_forward && part_of_side(s) != none && part_of_side(side.opposite) != none)
         result.push_back({side.arc, {{part_of_side(s), part_of_side(side.opposite)}}, length(s)});
     }
     return result;

@@ -74,8 +74,8 @@ Cap_triangles least_triangulation(const Cap_polygon& polygon, const IsForbidden&
 }
 
 // Triangulates a polygon in space without new vertices: as Polygon Mesh Processing does, or, where that gives a
-// diagonal for which is_forbidden(i, j) holds, as small as possible without such. The corners of triangles grow. None if
-// no triangulation is found. Cost: that of `triangulate_hole_polyline()`, at worst O(n^3).
+// diagonal for which is_forbidden(i, j) holds, as small as possible without such. The corners of triangles grow. None
+// if no triangulation is found. Cost: that of `triangulate_hole_polyline()`, at worst O(n^3).
 template <class IsForbidden>
 Cap_triangles triangulate_cap(const Cap_polygon& polygon, const IsForbidden& is_forbidden)
 {
@@ -88,8 +88,8 @@ Cap_triangles triangulate_cap(const Cap_polygon& polygon, const IsForbidden& is_
   Cap_triangles result;
   for(const Triple<int, int, int>& t : found)
   {
-    std::array<std::size_t, 3> corners = {{static_cast<std::size_t>(t.first), static_cast<std::size_t>(t.second),
-                                           static_cast<std::size_t>(t.third)}};
+    std::array<std::size_t, 3> corners = {
+        {static_cast<std::size_t>(t.first), static_cast<std::size_t>(t.second), static_cast<std::size_t>(t.third)}};
     std::sort(corners.begin(), corners.end());
     result.push_back(corners);
   }

@@ -26,10 +26,10 @@ namespace internal {
 // How a search for a barrier ends.
 enum class Barrier_end
 {
-  CURVE,  // behind the barrier lies a shorter curve, or one of the same length that stands for both
-  POINT,  // there the curve shortens to a point
-  NONE,   // there is no way to become shorter: the curve does not separate
-  BEYOND  // the barrier is higher than what was asked about
+  CURVE, // behind the barrier lies a shorter curve, or one of the same length that stands for both
+  POINT, // there the curve shortens to a point
+  NONE,  // there is no way to become shorter: the curve does not separate
+  BEYOND // the barrier is higher than what was asked about
 };
 
 // The greatest length on the easiest way on which a curve becomes shorter, and what it becomes.
@@ -37,9 +37,9 @@ struct Barrier
 {
   double length;
   Barrier_end end;
-  Index curve;             // of the tightener, if `end` is CURVE
-  Strip strip;             // of a closed curve that shortens to that
-  Index vertex;            // over which it slides off, if `end` is POINT
+  Index curve;  // of the tightener, if `end` is CURVE
+  Strip strip;  // of a closed curve that shortens to that
+  Index vertex; // over which it slides off, if `end` is POINT
 };
 
 // Searches the lowest barrier around a curve: over single vertices beside it and beside the curves behind them, and by
@@ -58,8 +58,8 @@ public:
   Boundary_tightener& tightener() { return m_tightener; }
 
   // Searches from a simple closed geodesic with this trace, up to a length. The sides of a curve that does not separate
-  // meet. Curves of the same length are looked for `with_ties` only. O(m log m) for m faces swept, plus the tightening of
-  // O(log) boundaries, a few times. If the curve behind the barrier hardly holds, its end is what that becomes.
+  // meet. Curves of the same length are looked for `with_ties` only. O(m log m) for m faces swept, plus the tightening
+  // of O(log) boundaries, a few times. If the curve behind the barrier hardly holds, its end is what that becomes.
   Barrier search(const std::vector<Arc>& arcs, const std::vector<Trace_point>& trace, bool separates,
                  double greatest_length, bool with_ties = true)
   {
@@ -103,8 +103,9 @@ private:
     std::vector<Index> passed(1, m_goal);
     for(std::size_t i = 0; i < most_detours; ++i)
     {
-      const auto lowest = std::min_element(m_neighbours.begin(), m_neighbours.end(),
-                                           [](const Neighbour& x, const Neighbour& y) { return x.barrier < y.barrier; });
+      const auto lowest =
+          std::min_element(m_neighbours.begin(), m_neighbours.end(),
+                           [](const Neighbour& x, const Neighbour& y) { return x.barrier < y.barrier; });
       if(lowest == m_neighbours.end() || lowest->barrier >= best.length)
         break;
       const Neighbour by = *lowest;
@@ -121,8 +122,7 @@ private:
       }
       passed.push_back(by.curve);
       m_barrier_before = by.barrier;
-      Barrier found =
-          sweep(by.curve, internal::trace(m_tightener.surface(), m_tightener.arcs(by.curve)), best.length);
+      Barrier found = sweep(by.curve, internal::trace(m_tightener.surface(), m_tightener.arcs(by.curve)), best.length);
       found.length = (std::max)(found.length, by.barrier);
       if((found.end == Barrier_end::CURVE || found.end == Barrier_end::POINT) && found.length < best.length)
         best = std::move(found);
@@ -131,8 +131,8 @@ private:
     return best;
   }
 
-  // The easiest way found over single vertices, of no more than a length; its end is NONE if there is none. The passes of
-  // the curves found are tried in the order of their heights.
+  // The easiest way found over single vertices, of no more than a length; its end is NONE if there is none. The passes
+  // of the curves found are tried in the order of their heights.
   Barrier pass_vertices(double greatest_length)
   {
     struct Way
@@ -197,14 +197,13 @@ private:
     return let_go(held, pass.far_side);
   }
 
-  // Whether what a boundary has been tightened to is shorter than the goal, or a curve of the same length that stands for
-  // both.
+  // Whether what a boundary has been tightened to is shorter than the goal, or a curve of the same length that stands
+  // for both.
   bool is_lower(const Tightened_boundary& b) const
   {
     const double tolerance = equal_length_tolerance * m_goal_length;
-    return b.length < m_goal_length - tolerance ||
-           (b.length <= m_goal_length + tolerance && m_with_ties && b.longest != m_goal &&
-            m_tightener.precedes(b.longest, m_goal));
+    return b.length < m_goal_length - tolerance || (b.length <= m_goal_length + tolerance && m_with_ties &&
+                                                    b.longest != m_goal && m_tightener.precedes(b.longest, m_goal));
   }
 
   // Whether what a curve becomes is shorter than the goal.
@@ -266,7 +265,8 @@ private:
     }
   };
 
-  // A boundary is tightened when it has risen by so much, relative to the curve, then by this many times that, and so on;
+  // A boundary is tightened when it has risen by so much, relative to the curve, then by this many times that, and so
+  // on;
   static constexpr double first_rise = 0.02;
   static constexpr double rise = 2.25;
   // and when it has fallen so far below its greatest length since that was done last.
@@ -356,7 +356,7 @@ private:
   Boundary_tightener m_tightener;
   Descents m_descents;
   std::array<Side, 2> m_sides;
-  Index m_goal = null_index;  // the curve that is to become shorter, of the tightener
+  Index m_goal = null_index; // the curve that is to become shorter, of the tightener
   double m_goal_length = 0;
   Index m_start = null_index; // the curve that is swept from, of the tightener
   double m_length = 0;        // of that

@@ -47,8 +47,8 @@ class Boundary_tightener
 public:
   // `angles` of the surface. Linear in the size of the mesh.
   Boundary_tightener(const Progressive_mesh& pm, const Corner_angles& angles)
-    : m_network(pm, false), m_tightener(m_network, Length_unit(pm), &angles),
-      m_basins(m_network, m_tightener), m_distinct(m_network)
+    : m_network(pm, false), m_tightener(m_network, Length_unit(pm), &angles), m_basins(m_network, m_tightener),
+      m_distinct(m_network)
   {}
 
   // Enters a closed geodesic. Returns its number, which is that of an equal one if that is known.
@@ -150,8 +150,8 @@ public:
   }
 
 private:
-  // A closed curve of no more than this length, given by what it crosses, pulled tight between the rims of holes that it
-  // runs along; no arcs if it is a point.
+  // A closed curve of no more than this length, given by what it crosses, pulled tight between the rims of holes that
+  // it runs along; no arcs if it is a point.
   std::vector<Arc> pulled_tight(const Strip& given, double length)
   {
     const Progressive_mesh& pm = m_network.surface();
@@ -160,9 +160,9 @@ private:
              : pm.is_ghost_vertex(pm.target(h)) ? pm.source(h)
                                                 : null_index;
     };
-    const auto first = pm.has_boundary() ? std::find_if(given.begin(), given.end(),
-                                                        [&](Index h) { return on_rim(h) != null_index; })
-                                         : given.end();
+    const auto first = pm.has_boundary()
+                           ? std::find_if(given.begin(), given.end(), [&](Index h) { return on_rim(h) != null_index; })
+                           : given.end();
     if(first == given.end())
     {
       const Closed_strip strip(pm, given);
@@ -238,7 +238,8 @@ private:
     if(known == c)
     {
       m_length[c] = m_network.length(c);
-      m_is_simple[c] = internal::is_simple(m_network.surface(), trace(m_network.surface(), arcs_of_curve(m_network, c)));
+      m_is_simple[c] =
+          internal::is_simple(m_network.surface(), trace(m_network.surface(), arcs_of_curve(m_network, c)));
     }
     return known;
   }

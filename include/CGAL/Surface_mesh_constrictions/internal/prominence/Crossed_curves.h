@@ -23,9 +23,7 @@ class Crossed_curves
 {
 public:
   // Linear in the size of the mesh.
-  explicit Crossed_curves(const Progressive_mesh& pm)
-    : m_pm(pm), m_crossings(pm), m_class(pm.number_of_vertex_ids())
-  {}
+  explicit Crossed_curves(const Progressive_mesh& pm) : m_pm(pm), m_crossings(pm), m_class(pm.number_of_vertex_ids()) {}
 
   // Adds a curve. Curves are numbered in this order.
   void add(const std::vector<Trace_point>& trace)
@@ -35,15 +33,16 @@ public:
   }
 
   // The curves that have been added which a curve crosses, and crosses back again. Those that run beside it, or touch
-  // it, are no such; nor, on a surface with handles, are those that part no neighbourhood of it. Ascending. Linear, up to
-  // a logarithm, in the edges that it crosses and the curves that cross those.
+  // it, are no such; nor, on a surface with handles, are those that part no neighbourhood of it. Ascending. Linear, up
+  // to a logarithm, in the edges that it crosses and the curves that cross those.
   std::vector<Index> crossed_by(const std::vector<Trace_point>& trace)
   {
-    // Curves are moved off their pivots. Two that touch at a pivot are moved apart, or over each other. Between two that
-    // cross there may be nothing but pivots, and then moving them can part them, too. So there must be one side of the
-    // one to which it can be moved, such that it is crossed whatever is done with the other.
-    const std::array<std::vector<Index>, 2> by = {{crossed_beside(crossings_beside_pivots(m_pm, trace)),
-                                                   crossed_beside(crossings_beside_pivots(m_pm, reversed(m_pm, trace)))}};
+    // Curves are moved off their pivots. Two that touch at a pivot are moved apart, or over each other. Between two
+    // that cross there may be nothing but pivots, and then moving them can part them, too. So there must be one side of
+    // the one to which it can be moved, such that it is crossed whatever is done with the other.
+    const std::array<std::vector<Index>, 2> by = {
+        {crossed_beside(crossings_beside_pivots(m_pm, trace)),
+         crossed_beside(crossings_beside_pivots(m_pm, reversed(m_pm, trace)))}};
     std::vector<Index> result;
     std::array<std::vector<Index>, 2> some; // crossed if moved to one of its sides
     for(std::size_t side = 0; side < 2; ++side)

@@ -30,8 +30,8 @@ constexpr double firm_prominence = 0.3;
 constexpr double coarse_crossing_factor = 1.5;
 
 // Tells closed geodesics of a coarse level that would hardly ever be selected, because of shorter ones that they cross:
-// they cross many there and back, or they are composed of shorter ones, see `composed_constrictions()`. Curves come from
-// the shortest to the longest, so that few are kept of a family of any size.
+// they cross many there and back, or they are composed of shorter ones, see `composed_constrictions()`. Curves come
+// from the shortest to the longest, so that few are kept of a family of any size.
 class Crossing_filter
 {
 public:
@@ -70,8 +70,8 @@ public:
 private:
   const Progressive_mesh& m_pm;
   const Surface_sides& m_sides;
-  std::vector<bool> m_is_firm; // by curve
-  std::unordered_map<std::size_t, std::vector<Trace_point> > m_basis_traces; // by curve
+  std::vector<bool> m_is_firm;                                              // by curve
+  std::unordered_map<std::size_t, std::vector<Trace_point>> m_basis_traces; // by curve
   Homology_basis m_basis;
   Homology_basis::Reduced m_reduced; // class of the curve that was asked about last
 };

@@ -37,8 +37,8 @@ public:
   // `angles` of the surface of the tightener.
   Descents(Boundary_tightener& tightener, const Corner_angles& angles) : m_tightener(tightener), m_angles(angles) {}
 
-  // What a simple curve of the tightener becomes, or null if it holds. The first time for each curve on the way it costs
-  // as much as `vertex_passes()`, and tightening the curve behind each pass.
+  // What a simple curve of the tightener becomes, or null if it holds. The first time for each curve on the way it
+  // costs as much as `vertex_passes()`, and tightening the curve behind each pass.
   const Descent* descent(Index from)
   {
     std::vector<Index> way;
@@ -85,7 +85,7 @@ private:
 
   Boundary_tightener& m_tightener;
   const Corner_angles& m_angles;
-  std::unordered_map<Index, std::optional<Descent> > m_descents; // by curve
+  std::unordered_map<Index, std::optional<Descent>> m_descents; // by curve
 };
 
 } // namespace internal

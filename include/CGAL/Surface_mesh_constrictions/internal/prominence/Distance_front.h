@@ -19,13 +19,13 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Distances of vertices from a closed curve on its two sides, the nearest vertex first: fast marching (Kimmel and Sethian
-// 1998). The fronts do not cross the curve. Where a front comes through an edge so that it misses the third corner of
-// the face, the faces behind are unfolded as far as the corner that it hits.
+// Distances of vertices from a closed curve on its two sides, the nearest vertex first: fast marching (Kimmel and
+// Sethian 1998). The fronts do not cross the curve. Where a front comes through an edge so that it misses the third
+// corner of the face, the faces behind are unfolded as far as the corner that it hits.
 //
-// The two sides of a curve that does not separate meet. A vertex then belongs to the side that reaches it first, if both
-// are settled in the order of their distances; the other side still measures its distance there, but goes no further.
-// So both distances are known at all corners of the faces in which the sides meet.
+// The two sides of a curve that does not separate meet. A vertex then belongs to the side that reaches it first, if
+// both are settled in the order of their distances; the other side still measures its distance there, but goes no
+// further. So both distances are known at all corners of the faces in which the sides meet.
 //
 // The arrays are made once for a mesh, and restarted in constant time.
 class Distance_front
@@ -125,7 +125,8 @@ public:
     {
       const Index begin = m_pm.outgoing(v);
       Index h = begin;
-      do {
+      do
+      {
         pass_from_source(h, side);
         h = m_pm.ccw(h);
       } while(h != begin);
@@ -214,7 +215,7 @@ private:
   const Progressive_mesh& m_pm;
   const Edge_lengths& m_lengths;
   std::array<std::vector<Vertex>, 2> m_vertices; // by side
-  std::vector<Index> m_barred; // the last sweep that a face was barred in
+  std::vector<Index> m_barred;                   // the last sweep that a face was barred in
   std::array<Queue, 2> m_queue;
   std::array<double, 2> m_reached = {{0, 0}};
   Index m_sweep = 0;

@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Sweeps from a closed curve to its two sides. What has been swept on a side up to a distance is bounded by the curve and
-// by closed curves that together are homologous to it: the level set of the distance, and, where the sides of a curve
-// that does not separate have met, the points that are as far from both.
+// Sweeps from a closed curve to its two sides. What has been swept on a side up to a distance is bounded by the curve
+// and by closed curves that together are homologous to it: the level set of the distance, and, where the sides of a
+// curve that does not separate have met, the points that are as far from both.
 //
 // The distance is interpolated linearly in each face, so these are closed polygons on the mesh, whose length is exact
 // but for rounding, whatever the error of the distances.
@@ -35,8 +35,8 @@ class Distance_sweep
 public:
   // Linear in the size of the mesh.
   Distance_sweep(const Progressive_mesh& pm, const Edge_lengths& lengths)
-    : m_pm(pm), m_front(pm, lengths), m_sides{{Side(pm, lengths), Side(pm, lengths)}}, m_is_crossed(pm.number_of_halfedge_ids(), 0),
-      m_is_passed(pm.number_of_halfedge_ids(), 0)
+    : m_pm(pm), m_front(pm, lengths), m_sides{{Side(pm, lengths), Side(pm, lengths)}},
+      m_is_crossed(pm.number_of_halfedge_ids(), 0), m_is_passed(pm.number_of_halfedge_ids(), 0)
   {}
 
   // Starts at a simple closed curve. Its sides meet if it does not separate.
@@ -76,8 +76,7 @@ public:
     Side& side = m_sides[s];
     while(!side.used_up && m_scale.level(side.level + 1) > complete(s))
     {
-      const std::size_t next =
-          m_sides_meet && m_front.next_distance(1 - s) < m_front.next_distance(s) ? 1 - s : s;
+      const std::size_t next = m_sides_meet && m_front.next_distance(1 - s) < m_front.next_distance(s) ? 1 - s : s;
       const Index v = m_front.settle_next(next);
       if(v == null_index)
         side.used_up = true;
@@ -101,7 +100,10 @@ public:
   std::size_t level(std::size_t s) const { return m_sides[s].level; }
 
   // the vertex that was settled last on a side; null_index if none was
-  Index last_vertex(std::size_t s) const { return m_sides[s].vertices.empty() ? null_index : m_sides[s].vertices.back(); }
+  Index last_vertex(std::size_t s) const
+  {
+    return m_sides[s].vertices.empty() ? null_index : m_sides[s].vertices.back();
+  }
 
   // The boundary of what has been swept on a side up to a level that is complete, but for the start: the halfedges that
   // each of its closed curves crosses, in order, from their face to the opposite one. The target of each is swept, or
@@ -118,7 +120,8 @@ public:
         continue;
       const Index begin = m_pm.outgoing(v);
       Index h = begin;
-      do {
+      do
+      {
         if(!is_crossed(h) && !is_swept(m_pm.target(h), s))
           follow(h, s, strips);
         h = m_pm.ccw(h);
@@ -139,14 +142,14 @@ private:
     Side(const Progressive_mesh& pm, const Edge_lengths& edge_lengths) : rims(pm, edge_lengths) {}
 
     Level_lengths lengths;
-    Rim_lengths rims;               // if the surface has holes
-    std::size_t level = 0;          // the last that is complete
-    double length = 0;              // of its boundary
-    bool used_up = false;           // every vertex that can be reached is settled
+    Rim_lengths rims;      // if the surface has holes
+    std::size_t level = 0; // the last that is complete
+    double length = 0;     // of its boundary
+    bool used_up = false;  // every vertex that can be reached is settled
     Front_start start;
-    std::vector<Index> vertices;    // that belong to the side, in the order in which they were settled
-    std::size_t number_settled = 0; // of the vertices beside the start, from the beginning of the list
-    std::deque<std::pair<Index, double> > touched; // faces and where the front was when it reached a corner
+    std::vector<Index> vertices;                  // that belong to the side, in the order in which they were settled
+    std::size_t number_settled = 0;               // of the vertices beside the start, from the beginning of the list
+    std::deque<std::pair<Index, double>> touched; // faces and where the front was when it reached a corner
 
     void restart(double length_of_start)
     {
@@ -180,7 +183,8 @@ private:
     if(m_is_passed[h] == m_boundary)
       return;
     strips.emplace_back();
-    do {
+    do
+    {
       m_is_passed[h] = m_boundary;
       strips.back().push_back(m_pm.opposite(h));
       const Index next = m_pm.next(h);
@@ -245,7 +249,8 @@ private:
       m_sides[s].vertices.push_back(v);
     const Index begin = m_pm.outgoing(v);
     Index h = begin;
-    do {
+    do
+    {
       const Index f = m_pm.face(h);
       if(m_pm.has_boundary() && m_pm.is_on_boundary(h) && m_front.is_settled(m_pm.target(h), s))
         m_sides[s].rims.add(h, m_front.distance(v, s), m_front.distance(m_pm.target(h), s));

@@ -74,8 +74,8 @@ inline void cut_face(const Progressive_mesh& pm, const Strand* begin, const Stra
       const Vector3 p = position(pm, v);
       double distance = (std::numeric_limits<double>::max)();
       for(const Strand* s : {from.strand, to.strand})
-        distance = (std::min)(distance, distance_to_segment(p, boundary_position(pm, f, s->entry),
-                                                            boundary_position(pm, f, s->exit)));
+        distance = (std::min)(
+            distance, distance_to_segment(p, boundary_position(pm, f, s->entry), boundary_position(pm, f, s->exit)));
       front.offer(v, distance, from.side);
       sides[from.side]->vertices.push_back(v);
       sides[from.side]->pieces.push_back({{start, {v, p}, previous}});
@@ -119,7 +119,8 @@ inline void start_front(const Progressive_mesh& pm, std::vector<Trace_point> tra
     const Pivot_fan fan = pivot_fan(pm, trace, i);
     std::size_t side = 0;
     Index h = fan.out;
-    do {
+    do
+    {
       if(h == fan.in)
         side = 1;
       const Index f = pm.face(h);

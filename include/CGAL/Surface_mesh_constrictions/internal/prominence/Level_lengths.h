@@ -24,10 +24,7 @@ class Level_scale
 public:
   explicit Level_scale(double unit) : m_unit(unit), m_first(&first_factors()) {}
 
-  double level(std::size_t k) const
-  {
-    return m_unit * (k < m_first->size() ? (*m_first)[k] : factor(k));
-  }
+  double level(std::size_t k) const { return m_unit * (k < m_first->size() ? (*m_first)[k] : factor(k)); }
 
   // the first level above a distance
   std::size_t first_above(double distance) const
@@ -112,9 +109,9 @@ public:
       const double d = scale.level(k);
       if(d > high)
         return;
-      at(m_lengths, k) += longest * (d < middle ? (d - low) / (middle - low)
-                                 : high > middle ? (high - d) / (high - middle)
-                                                 : 1);
+      at(m_lengths, k) += longest * (d < middle      ? (d - low) / (middle - low)
+                                     : high > middle ? (high - d) / (high - middle)
+                                                     : 1);
     }
   }
 
@@ -172,7 +169,8 @@ private:
   // A segment of the end of the domain: at each level as much of it as lies below.
   void add_end(const Level_scale& scale, const Corner& a, const Corner& b)
   {
-    const double low = (std::min)(a.value, b.value), high = (std::max)(a.value, b.value), length = norm(b.point - a.point);
+    const double low = (std::min)(a.value, b.value), high = (std::max)(a.value, b.value),
+                 length = norm(b.point - a.point);
     std::size_t k = scale.first_above(low);
     for(; scale.level(k) < high; ++k)
       at(m_lengths, k) += length * (scale.level(k) - low) / (high - low);
@@ -180,8 +178,8 @@ private:
     at(m_from, k) += length;
   }
 
-  std::vector<double> m_lengths; // of the level sets, by level
-  std::vector<double> m_from;    // of what stays from a level on
+  std::vector<double> m_lengths;  // of the level sets, by level
+  std::vector<double> m_from;     // of what stays from a level on
   std::size_t m_number_added = 0; // of the levels of the latter that are in the sum
   double m_sum = 0;
 };

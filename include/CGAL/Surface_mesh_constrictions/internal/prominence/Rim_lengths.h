@@ -13,10 +13,10 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// How the boundary of what has been swept is closed on a surface whose holes are closed by ghosts. Where it meets a hole it
-// goes on along the rim of the hole: by the part that has been swept, or by the one that has not, whichever is shorter.
-// So the sweep slides over a hole as if that were filled by a flat piece, and at the open end of a tube it comes off when
-// its rim has been passed.
+// How the boundary of what has been swept is closed on a surface whose holes are closed by ghosts. Where it meets a
+// hole it goes on along the rim of the hole: by the part that has been swept, or by the one that has not, whichever is
+// shorter. So the sweep slides over a hole as if that were filled by a flat piece, and at the open end of a tube it
+// comes off when its rim has been passed.
 class Rim_lengths
 {
 public:
@@ -24,8 +24,8 @@ public:
 
   void restart() { m_holes.clear(); }
 
-  // Adds an edge of a rim, given by a halfedge, whose ends are at these distances. The first edge of a hole costs as much
-  // as the hole has edges.
+  // Adds an edge of a rim, given by a halfedge, whose ends are at these distances. The first edge of a hole costs as
+  // much as the hole has edges.
   void add(Index h, double from, double to)
   {
     if(!m_pm.is_ghost_face(m_pm.face(h)))
@@ -70,9 +70,7 @@ private:
     {
       double sum = 0;
       for(const Piece& p : pieces)
-        sum += p.high <= distance ? p.length
-               : p.low < distance ? p.length * (distance - p.low) / (p.high - p.low)
-                                  : 0;
+        sum += p.high <= distance ? p.length : p.low < distance ? p.length * (distance - p.low) / (p.high - p.low) : 0;
       return (std::min)(sum, total);
     }
   };

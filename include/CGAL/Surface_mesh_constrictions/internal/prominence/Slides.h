@@ -41,8 +41,10 @@ public:
       return known->second;
     const std::vector<Arc> arcs = m_search.tightener().arcs(c);
     const std::vector<Trace_point> points = trace(m_pm, arcs);
-    return m_barriers.emplace(c, m_search.search(arcs, points, m_sides.part(points).is_separating(),
-                                                 (std::numeric_limits<double>::infinity)())).first->second;
+    return m_barriers
+        .emplace(c, m_search.search(arcs, points, m_sides.part(points).is_separating(),
+                                    (std::numeric_limits<double>::infinity)()))
+        .first->second;
   }
 
 private:

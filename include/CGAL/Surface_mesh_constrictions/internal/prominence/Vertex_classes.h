@@ -69,9 +69,9 @@ private:
   }
 
   Side_classes m_classes;
-  std::vector<Index> m_class;    // of a vertex
-  std::vector<Index> m_sweep_of; // the sweep that this was in
-  std::vector<Index> m_wrong_in; // of a curve: the last sweep in which it was found to be inconsistent
+  std::vector<Index> m_class;                   // of a vertex
+  std::vector<Index> m_sweep_of;                // the sweep that this was in
+  std::vector<Index> m_wrong_in;                // of a curve: the last sweep in which it was found to be inconsistent
   std::unordered_set<std::uint64_t> m_compared; // differences of classes that have been looked at
   Index m_sweep = 0;
 };

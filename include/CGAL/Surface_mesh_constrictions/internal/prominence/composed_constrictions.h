@@ -36,8 +36,8 @@ std::vector<bool> composed_constrictions(const std::vector<Constriction>& given,
       continue;
     Homology_basis::Reduced reduced = basis.reduce(given[i].homology_class());
     if(reduced.is_sum())
-      result[i] = std::any_of(reduced.members.begin(), reduced.members.end(),
-                              [&](std::size_t j) { return cross(i, j); });
+      result[i] =
+          std::any_of(reduced.members.begin(), reduced.members.end(), [&](std::size_t j) { return cross(i, j); });
     else
       basis.add(std::move(reduced), i);
   }

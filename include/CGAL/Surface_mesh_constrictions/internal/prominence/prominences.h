@@ -46,16 +46,12 @@ struct Prominence
 };
 
 // The height of a barrier relative to the length of its curve, less one; no less than 0 if rounding makes it so.
-inline double prominence_of_barrier(double barrier, double length)
-{
-  return (std::max)(barrier / length - 1, 0.0);
-}
+inline double prominence_of_barrier(double barrier, double length) { return (std::max)(barrier / length - 1, 0.0); }
 
 // The prominence of one curve, up to a greatest value.
 inline Prominence prominence(Barrier_search& search, const Measured_curve& curve, double greatest)
 {
-  Barrier b = search.search(curve.arcs, curve.trace, curve.separates, (1 + greatest) * curve.length,
-                            curve.with_ties);
+  Barrier b = search.search(curve.arcs, curve.trace, curve.separates, (1 + greatest) * curve.length, curve.with_ties);
   Prominence result = {prominence_of_barrier(b.length, curve.length), b.end, {}, 0, std::move(b.strip), b.vertex};
   if(b.end == Barrier_end::CURVE)
   {
@@ -77,10 +73,10 @@ public:
   std::vector<Prominence> measure(const std::vector<Measured_curve>& curves, double greatest)
   {
     // a search takes memory in proportion to the mesh, and time to make, so they are few, and kept
-    auto groups = make_groups<std::vector<Prominence> >(
+    auto groups = make_groups<std::vector<Prominence>>(
         curves.size(), (std::max)((curves.size() + most_searches - 1) / most_searches, least_group_size));
     m_searches.resize((std::max)(m_searches.size(), groups.size()));
-    CGAL::for_each<ConcurrencyTag>(groups, [&](Group<std::vector<Prominence> >& group) {
+    CGAL::for_each<ConcurrencyTag>(groups, [&](Group<std::vector<Prominence>>& group) {
       std::optional<Barrier_search>& search = m_searches[static_cast<std::size_t>(&group - groups.data())];
       if(!search)
         search.emplace(m_pm, m_lengths, m_angles);
@@ -89,7 +85,7 @@ public:
       return true;
     });
     std::vector<Prominence> result;
-    for(Group<std::vector<Prominence> >& group : groups)
+    for(Group<std::vector<Prominence>>& group : groups)
       std::move(group.result.begin(), group.result.end(), std::back_inserter(result));
     return result;
   }
@@ -100,7 +96,7 @@ private:
   const Progressive_mesh& m_pm;
   Edge_lengths m_lengths;
   Corner_angles m_angles;
-  std::deque<std::optional<Barrier_search> > m_searches;
+  std::deque<std::optional<Barrier_search>> m_searches;
 };
 
 } // namespace internal

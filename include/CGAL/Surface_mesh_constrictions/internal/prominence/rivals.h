@@ -30,9 +30,15 @@ inline bool are_alike(double prominence, double other)
 template <class Constriction>
 std::vector<std::size_t> without_crossing_ones(const std::vector<Constriction>& given,
                                                const std::vector<std::size_t>& order,
-                                               const std::vector<std::vector<std::size_t> >& crossing)
+                                               const std::vector<std::vector<std::size_t>>& crossing)
 {
-  enum Choice { NOT_GIVEN, OPEN, SELECTED, CROSSES_A_SELECTED_ONE };
+  enum Choice
+  {
+    NOT_GIVEN,
+    OPEN,
+    SELECTED,
+    CROSSES_A_SELECTED_ONE
+  };
   std::vector<Choice> choice(given.size(), NOT_GIVEN);
   for(std::size_t i : order)
     choice[i] = OPEN;

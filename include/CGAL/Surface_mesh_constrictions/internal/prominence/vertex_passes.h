@@ -28,7 +28,7 @@ struct Vertex_pass
   std::vector<Arc> arcs; // of the curve when it is at the vertex: it is no longer on the way there
   double length;         // of that
   Index vertex;
-  Curve_side far_side;   // of the curve, that it gets to
+  Curve_side far_side; // of the curve, that it gets to
 };
 
 // What a closed curve crosses that is led past each of its pivots on one side.
@@ -44,10 +44,11 @@ inline Strip strip_beside(const Progressive_mesh& pm, const std::vector<Arc>& ar
   return strip;
 }
 
-// The vertices that a closed geodesic gets over with one arc drawn to them: those at the rim of the strip of faces of an
-// arc, or opposite to the edge that it runs along. Only those behind which the curve becomes shorter at once, and up to a
-// length, the shortest first. While the arc moves to the vertex the curve is in one strip of faces. There its length is
-// a convex function of where it crosses the edges, so that on the straight way it is at most what it is at the ends.
+// The vertices that a closed geodesic gets over with one arc drawn to them: those at the rim of the strip of faces of
+// an arc, or opposite to the edge that it runs along. Only those behind which the curve becomes shorter at once, and up
+// to a length, the shortest first. While the arc moves to the vertex the curve is in one strip of faces. There its
+// length is a convex function of where it crosses the edges, so that on the straight way it is at most what it is at
+// the ends.
 //
 // `angles` of the surface. Linear in what the curve crosses, and once more for each pass.
 inline std::vector<Vertex_pass> vertex_passes(const Progressive_mesh& pm, const Corner_angles& angles,
@@ -62,7 +63,8 @@ inline std::vector<Vertex_pass> vertex_passes(const Progressive_mesh& pm, const 
   const auto total_angle = [&](Index out) { // around the source of a halfedge
     double sum = 0;
     Index h = out;
-    do {
+    do
+    {
       sum += angles(h);
       h = pm.ccw(h);
     } while(h != out);

@@ -121,7 +121,7 @@ private:
   struct Loop
   {
     std::vector<Index> halfedges; // with a face below the level on the left
-    double length; // of the level set beside it: a loop of edges zigzags
+    double length;                // of the level set beside it: a loop of edges zigzags
     bool is_shortest;
     bool is_sample;
   };
@@ -170,7 +170,7 @@ private:
         m_slab[f] = m_slab_of_hole[hole(f)];
       else
         m_slab[f] = (std::max)({m_slab_of_vertex[m_source[3 * f]], m_slab_of_vertex[m_source[3 * f + 1]],
-                              m_slab_of_vertex[m_source[3 * f + 2]]});
+                                m_slab_of_vertex[m_source[3 * f + 2]]});
       m_faces_of_slab[m_slab[f]].push_back(f);
     }
     for(Index h = 0; h < m_source.size(); ++h)
@@ -215,7 +215,8 @@ private:
     Loop& loop = m_loops.back();
     m_level_set.clear();
     Index h = begin;
-    do {
+    do
+    {
       m_is_walked[h] = m_stamp;
       loop.halfedges.push_back(h);
       // the edges on the right at the end of h, counterclockwise; the first one leads above the level
@@ -303,16 +304,16 @@ private:
   std::vector<Index> m_slab;               // of faces
   std::vector<Index> m_slab_of_hole;       // of the ghosts of a hole
   Index m_first_ghost_face = 0;            // the number of faces that are no ghosts
-  std::vector<std::vector<Index> > m_faces_of_slab;
-  std::vector<std::vector<Index> > m_boundary; // of a level: halfedges of faces not above it, next to faces that are
-  std::vector<Loop> m_loops;             // from the lowest level to the highest
+  std::vector<std::vector<Index>> m_faces_of_slab;
+  std::vector<std::vector<Index>> m_boundary; // of a level: halfedges of faces not above it, next to faces that are
+  std::vector<Loop> m_loops;                  // from the lowest level to the highest
   std::vector<Vector3> m_level_set;
-  std::vector<std::size_t> m_is_walked;  // of halfedges: the stamp of the last walk along them
-  std::size_t m_stamp = 0;               // of a level
-  std::vector<Index> m_parent;           // the parts of a slab as disjoint sets of faces and loops
-  std::vector<Index> m_loop_at;          // of halfedges
+  std::vector<std::size_t> m_is_walked; // of halfedges: the stamp of the last walk along them
+  std::size_t m_stamp = 0;              // of a level
+  std::vector<Index> m_parent;          // the parts of a slab as disjoint sets of faces and loops
+  std::vector<Index> m_loop_at;         // of halfedges
   std::vector<std::uint8_t> m_rank;
-  std::vector<std::pair<Index, std::size_t> > m_loops_of_parts;
+  std::vector<std::pair<Index, std::size_t>> m_loops_of_parts;
 };
 
 } // namespace internal

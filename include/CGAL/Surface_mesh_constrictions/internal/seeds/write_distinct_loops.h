@@ -26,15 +26,15 @@ OutputIterator write_distinct_loops(std::size_t items, std::size_t items_of_grou
                                     std::size_t level, Seed_origin origin, OutputIterator out)
 {
   typedef std::vector<Index> Loop;
-  auto groups = make_groups<std::vector<Loop> >(items, items_of_group);
-  CGAL::for_each<ConcurrencyTag>(groups, [&](Group<std::vector<Loop> >& group) {
+  auto groups = make_groups<std::vector<Loop>>(items, items_of_group);
+  CGAL::for_each<ConcurrencyTag>(groups, [&](Group<std::vector<Loop>>& group) {
     auto find = make_finder();
     for(std::size_t i = group.begin; i < group.end; ++i)
       find(i, [&group](Loop loop) { group.result.push_back(std::move(loop)); });
     return true;
   });
-  std::unordered_set<Loop, boost::hash<Loop> > known;
-  for(Group<std::vector<Loop> >& group : groups)
+  std::unordered_set<Loop, boost::hash<Loop>> known;
+  for(Group<std::vector<Loop>>& group : groups)
     for(Loop& loop : group.result)
     {
       const auto [it, is_new] = known.insert(std::move(loop));

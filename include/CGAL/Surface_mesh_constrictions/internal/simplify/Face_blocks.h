@@ -95,8 +95,7 @@ class Face_blocks
 public:
   // Block b has the faces first[b] to first[b + 1] - 1. Linear.
   Face_blocks(const Corner_table& table, std::vector<Index> first)
-    : m_first(std::move(first)),
-      m_block_of_vertex(table.outgoing.size(), null_index)
+    : m_first(std::move(first)), m_block_of_vertex(table.outgoing.size(), null_index)
   {
     for(Index b = 0; b < size(); ++b)
       for(Index h = 3 * begin(b); h < 3 * end(b); ++h)

@@ -17,8 +17,7 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // The points of a mesh that is simplified. With this map CGAL's edge_collapse() makes lean profiles, see below.
-class Lean_point_map
-  : public Simplification_point_map
+class Lean_point_map : public Simplification_point_map
 {
 public:
   explicit Lean_point_map(const Simplification_point_map& map) : Simplification_point_map(map) {}

@@ -24,8 +24,8 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // The costs and placements of CGAL's GarlandHeckbert_plane_policies, to the last bit, for a mesh of double coordinates.
-// Those work on 4x4 matrices in a property map that is copied at each access; a simplification takes a quarter to a third
-// less time with these.
+// Those work on 4x4 matrices in a property map that is copied at each access; a simplification takes a quarter to a
+// third less time with these.
 //
 // A model of GetCost and GetPlacement. Copies share the quadrics.
 template <class TriangleMesh>
@@ -60,8 +60,7 @@ public:
           continue;
         const Point& end = get(vpm, target(h, mesh));
         const Vector along = end - get(vpm, source(h, mesh));
-        const Plane_quadric beside =
-            border_weight * plane(unit(CGAL::cross_product(along, normal(h, mesh, vpm))), end);
+        const Plane_quadric beside = border_weight * plane(unit(CGAL::cross_product(along, normal(h, mesh, vpm))), end);
         quadric_of(source(h, mesh)) += beside;
         quadric_of(target(h, mesh)) += beside;
       }
@@ -96,7 +95,7 @@ public:
 
 private:
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Plane_quadric> >::type Quadric_map;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Plane_quadric>>::type Quadric_map;
   typedef typename boost::property_traits<
       typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type>::value_type Point;
   typedef typename CGAL::Kernel_traits<Point>::Kernel::Vector_3 Vector;

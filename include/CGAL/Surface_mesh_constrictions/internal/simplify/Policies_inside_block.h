@@ -19,8 +19,7 @@ bool is_edge_inside(const Profile& profile, std::size_t inside)
 // A cost policy that has no cost for edges that are not inside. Derived from the given one, because CGAL asks some for
 // more than their cost.
 template <class Cost>
-class Cost_inside_block
-  : public Cost
+class Cost_inside_block : public Cost
 {
 public:
   Cost_inside_block(const Cost& cost, std::size_t inside) : Cost(cost), m_inside(inside) {}
@@ -43,9 +42,7 @@ template <class Placement>
 class Placement_inside_block
 {
 public:
-  Placement_inside_block(const Placement& placement, std::size_t inside)
-    : m_placement(placement), m_inside(inside)
-  {}
+  Placement_inside_block(const Placement& placement, std::size_t inside) : m_placement(placement), m_inside(inside) {}
 
   template <class Profile>
   auto operator()(const Profile& profile) const -> decltype(std::declval<const Placement&>()(profile))

@@ -11,15 +11,15 @@
 #include <set>
 #include <type_traits>
 
-// After each collapse CGAL's edge_collapse() puts the thirty or so edges around it into a std::set, goes through it once
-// and throws it away. With a node for each edge this takes more than a quarter of the simplification, and nothing that
-// edge_collapse() can be given changes it. What the standard allows is to specialise std::set for elements of a type of
-// one's own. Sets of halfedges of the mesh that is simplified, in the order of edge_collapse(), are therefore sorted
-// arrays, on the stack while they are short.
+// After each collapse CGAL's edge_collapse() puts the thirty or so edges around it into a std::set, goes through it
+// once and throws it away. With a node for each edge this takes more than a quarter of the simplification, and nothing
+// that edge_collapse() can be given changes it. What the standard allows is to specialise std::set for elements of a
+// type of one's own. Sets of halfedges of the mesh that is simplified, in the order of edge_collapse(), are therefore
+// sorted arrays, on the stack while they are short.
 //
 // Unlike those of a general std::set, their iterators do not survive insertion and erasure, which are linear. All other
-// sets of these halfedges have nodes as usual, among them that of edges of length zero, from which edge_collapse() takes
-// edges while it goes through it.
+// sets of these halfedges have nodes as usual, among them that of edges of length zero, from which edge_collapse()
+// takes edges while it goes through it.
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
@@ -32,7 +32,7 @@ struct Is_order_of_edge_collapse : std::false_type
 
 template <class Compare>
 struct Is_order_of_edge_collapse<
-    Compare, std::void_t<typename std::remove_pointer_t<decltype(Compare::m_algorithm)>::Compare_id> >
+    Compare, std::void_t<typename std::remove_pointer_t<decltype(Compare::m_algorithm)>::Compare_id>>
   : std::is_same<Compare, typename std::remove_pointer_t<decltype(Compare::m_algorithm)>::Compare_id>
 {};
 
@@ -40,8 +40,8 @@ template <class Compare, class Allocator>
 using Set_of_halfedges = std::conditional_t<
     Is_order_of_edge_collapse<Compare>::value,
     boost::container::flat_set<Simplification_mesh::Halfedge_index, Compare,
-                               boost::container::small_vector<Simplification_mesh::Halfedge_index, 64> >,
-    boost::container::set<Simplification_mesh::Halfedge_index, Compare, Allocator> >;
+                               boost::container::small_vector<Simplification_mesh::Halfedge_index, 64>>,
+    boost::container::set<Simplification_mesh::Halfedge_index, Compare, Allocator>>;
 
 } // namespace internal
 } // namespace Surface_mesh_constrictions

@@ -21,10 +21,9 @@ private:
   typedef CGAL::Surface_mesh_constrictions::Simplification_mesh Mesh;
 
 public:
-  struct traversal_category
-    : virtual boost::bidirectional_graph_tag,
-      virtual boost::vertex_list_graph_tag,
-      virtual boost::edge_list_graph_tag
+  struct traversal_category : virtual boost::bidirectional_graph_tag,
+                              virtual boost::vertex_list_graph_tag,
+                              virtual boost::edge_list_graph_tag
   {};
   typedef boost::undirected_tag directed_category;
   typedef boost::disallow_parallel_edge_tag edge_parallel_category;
@@ -89,8 +88,7 @@ inline Simplification_mesh::Halfedge_index prev(Simplification_mesh::Halfedge_in
 {
   return m.prev(h);
 }
-inline Simplification_mesh::Halfedge_index opposite(Simplification_mesh::Halfedge_index h,
-                                                    const Simplification_mesh& m)
+inline Simplification_mesh::Halfedge_index opposite(Simplification_mesh::Halfedge_index h, const Simplification_mesh& m)
 {
   return m.opposite(h);
 }
@@ -106,18 +104,16 @@ inline Simplification_mesh::Halfedge_index halfedge(Simplification_mesh::Vertex_
 {
   return m.halfedge(v);
 }
-inline std::pair<Simplification_mesh::Halfedge_index, bool> halfedge(Simplification_mesh::Vertex_index u,
-                                                                     Simplification_mesh::Vertex_index v,
-                                                                     const Simplification_mesh& m)
+inline std::pair<Simplification_mesh::Halfedge_index, bool>
+halfedge(Simplification_mesh::Vertex_index u, Simplification_mesh::Vertex_index v, const Simplification_mesh& m)
 {
   for(const auto h : CGAL::halfedges_around_target(m.halfedge(v), m))
     if(m.source(h) == u)
       return {h, true};
   return {Simplification_mesh::null_halfedge(), false};
 }
-inline std::pair<Simplification_mesh::Edge_index, bool> edge(Simplification_mesh::Vertex_index u,
-                                                             Simplification_mesh::Vertex_index v,
-                                                             const Simplification_mesh& m)
+inline std::pair<Simplification_mesh::Edge_index, bool>
+edge(Simplification_mesh::Vertex_index u, Simplification_mesh::Vertex_index v, const Simplification_mesh& m)
 {
   const auto h = halfedge(u, v, m);
   return {h.second ? m.edge(h.first) : Simplification_mesh::Edge_index(), h.second};

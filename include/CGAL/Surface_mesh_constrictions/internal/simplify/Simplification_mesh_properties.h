@@ -30,7 +30,8 @@ public:
   typedef boost::lvalue_property_map_tag category;
 
   Simplification_point_map() : m_mesh(nullptr) {}
-  explicit Simplification_point_map(const Simplification_mesh& mesh) : m_mesh(const_cast<Simplification_mesh*>(&mesh)) {}
+  explicit Simplification_point_map(const Simplification_mesh& mesh) : m_mesh(const_cast<Simplification_mesh*>(&mesh))
+  {}
 
   reference operator[](key_type v) const { return m_mesh->point(v); }
 
@@ -180,25 +181,27 @@ struct property_map<CGAL::Surface_mesh_constrictions::Simplification_mesh, boost
   typedef type const_type;
 };
 template <class T>
-struct property_map<CGAL::Surface_mesh_constrictions::Simplification_mesh, CGAL::dynamic_vertex_property_t<T> >
+struct property_map<CGAL::Surface_mesh_constrictions::Simplification_mesh, CGAL::dynamic_vertex_property_t<T>>
 {
-  typedef CGAL::internal::Dynamic_with_index<CGAL::Surface_mesh_constrictions::Simplification_mesh::Vertex_index, T> type;
+  typedef CGAL::internal::Dynamic_with_index<CGAL::Surface_mesh_constrictions::Simplification_mesh::Vertex_index, T>
+      type;
   typedef type const_type;
 };
 template <class T>
-struct property_map<CGAL::Surface_mesh_constrictions::Simplification_mesh, CGAL::dynamic_halfedge_property_t<T> >
+struct property_map<CGAL::Surface_mesh_constrictions::Simplification_mesh, CGAL::dynamic_halfedge_property_t<T>>
 {
-  typedef CGAL::internal::Dynamic_with_index<CGAL::Surface_mesh_constrictions::Simplification_mesh::Halfedge_index, T> type;
+  typedef CGAL::internal::Dynamic_with_index<CGAL::Surface_mesh_constrictions::Simplification_mesh::Halfedge_index, T>
+      type;
   typedef type const_type;
 };
 template <class T>
-struct property_map<CGAL::Surface_mesh_constrictions::Simplification_mesh, CGAL::dynamic_edge_property_t<T> >
+struct property_map<CGAL::Surface_mesh_constrictions::Simplification_mesh, CGAL::dynamic_edge_property_t<T>>
 {
   typedef CGAL::internal::Dynamic_with_index<CGAL::Surface_mesh_constrictions::Simplification_mesh::Edge_index, T> type;
   typedef type const_type;
 };
 template <class T>
-struct property_map<CGAL::Surface_mesh_constrictions::Simplification_mesh, CGAL::dynamic_face_property_t<T> >
+struct property_map<CGAL::Surface_mesh_constrictions::Simplification_mesh, CGAL::dynamic_face_property_t<T>>
 {
   typedef CGAL::internal::Dynamic_with_index<CGAL::Surface_mesh_constrictions::Simplification_mesh::Face_index, T> type;
   typedef type const_type;
@@ -209,7 +212,7 @@ struct property_map<CGAL::Surface_mesh_constrictions::Simplification_mesh, CGAL:
 namespace std {
 
 template <class Element>
-struct hash<CGAL::Surface_mesh_constrictions::Simplification_mesh::Descriptor<Element> >
+struct hash<CGAL::Surface_mesh_constrictions::Simplification_mesh::Descriptor<Element>>
 {
   std::size_t operator()(CGAL::Surface_mesh_constrictions::Simplification_mesh::Descriptor<Element> d) const
   {

@@ -16,10 +16,16 @@ namespace internal {
 
 // Several policies as they are, and a single one, in a tuple.
 template <class... T>
-std::tuple<T...> as_tuple(const std::tuple<T...>& t) { return t; }
+std::tuple<T...> as_tuple(const std::tuple<T...>& t)
+{
+  return t;
+}
 
 template <class T>
-std::tuple<T> as_tuple(const T& t) { return std::tuple<T>(t); }
+std::tuple<T> as_tuple(const T& t)
+{
+  return std::tuple<T>(t);
+}
 
 // The simplification policies that the named parameters ask for, in a tuple.
 template <class NamedParameters>
@@ -29,8 +35,7 @@ auto policies_asked_for(const NamedParameters& np)
   using CGAL::parameters::is_default_parameter;
   constexpr bool has_cost = !is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value;
   constexpr bool has_placement = !is_default_parameter<NamedParameters, internal_np::get_placement_policy_t>::value;
-  constexpr bool has_policies =
-      !is_default_parameter<NamedParameters, internal_np::simplification_policies_t>::value;
+  constexpr bool has_policies = !is_default_parameter<NamedParameters, internal_np::simplification_policies_t>::value;
   static_assert(has_cost == has_placement, "get_cost and get_placement have to be given together");
   static_assert(!has_cost || !has_policies, "give get_cost and get_placement, or simplification_policies");
   if constexpr(has_policies)

@@ -29,8 +29,7 @@ namespace internal {
 
 // Records collapses and forwards the progress to a detection visitor.
 template <class VertexIndexMap, class Visitor>
-class Reporting_visitor
-  : public Collapse_recording_visitor<VertexIndexMap>
+class Reporting_visitor : public Collapse_recording_visitor<VertexIndexMap>
 {
   typedef Collapse_recording_visitor<VertexIndexMap> Base;
 

@@ -93,10 +93,10 @@ inline Face_block make_face_block(const Corner_table& table, const std::vector<P
   for(Index h = 3 * begin; h < 3 * end; ++h)
   {
     const Index o = table.halfedges[h].opposite, v = table.halfedges[h].source;
-    const Index local = blocks.block_of_vertex(v) != null_index
-                            ? number[v]
-                            : n + static_cast<Index>(std::lower_bound(border.begin(), border.end(), v) -
-                                                     border.begin());
+    const Index local =
+        blocks.block_of_vertex(v) != null_index
+            ? number[v]
+            : n + static_cast<Index>(std::lower_bound(border.begin(), border.end(), v) - border.begin());
     s.table.halfedges.push_back({local, blocks.has_face(block, o / 3) ? o - 3 * begin : null_index});
     s.table.outgoing[local] = h - 3 * begin;
   }
@@ -127,7 +127,10 @@ struct Number_of_edges_stop_predicate
   std::size_t edges;
 
   template <class FT, class Profile, class Size>
-  bool operator()(const FT&, const Profile&, Size, Size current) const { return current <= edges; }
+  bool operator()(const FT&, const Profile&, Size, Size current) const
+  {
+    return current <= edges;
+  }
 };
 
 // Collapses edges inside a block until only the given share of them is left.
@@ -139,7 +142,7 @@ Simplified_block simplify_block(const Face_block& block, const Policies& make_po
   Simplification_mesh mesh;
   mesh_from_corner_table(block.surface.table, block.surface.points, mesh);
   const auto names = boost::make_iterator_property_map(block.surface.vertices.begin(), get(boost::vertex_index, mesh));
-  const Collapse_recording_visitor<std::decay_t<decltype(names)> > recorder(result.record, names, with_refused_seeds);
+  const Collapse_recording_visitor<std::decay_t<decltype(names)>> recorder(result.record, names, with_refused_seeds);
   const auto policies = make_policies(mesh);
   typedef std::decay_t<decltype(policies.get_cost())> Cost;
   typedef std::decay_t<decltype(policies.get_placement())> Placement;

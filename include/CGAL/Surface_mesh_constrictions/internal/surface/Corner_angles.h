@@ -38,7 +38,7 @@ public:
 
 private:
   const Progressive_mesh& m_pm;
-  mutable std::vector<std::atomic<double> > m_angles;
+  mutable std::vector<std::atomic<double>> m_angles;
 };
 
 } // namespace internal

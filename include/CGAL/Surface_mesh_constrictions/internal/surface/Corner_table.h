@@ -48,14 +48,14 @@ inline void throw_defect_of_edge(Index h, Index u, Index v, std::size_t forth, s
   if(forth + back == 1)
     throw Invalid_input(Input_defect::NOT_CLOSED, f,
                         "not closed: " + edge_name(u, v) + " of face " + std::to_string(f) +
-                        " has no face on its other side");
+                            " has no face on its other side");
   if(forth + back == 2)
     throw Invalid_input(Input_defect::INCONSISTENT_ORIENTATION, f,
                         "inconsistent orientation: the two faces at " + edge_name(u, v) + " (one is face " +
-                        std::to_string(f) + ") run along it in the same direction");
+                            std::to_string(f) + ") run along it in the same direction");
   throw Invalid_input(Input_defect::NON_MANIFOLD_EDGE, f,
                       "non-manifold edge: " + edge_name(u, v) + " of face " + std::to_string(f) + " has " +
-                      std::to_string(forth + back) + " faces");
+                          std::to_string(forth + back) + " faces");
 }
 
 // Connects triangles, given by three vertex indices each. Throws Invalid_input for whatever is not an oriented
@@ -88,11 +88,11 @@ inline Corner_table make_corner_table(std::size_t number_of_vertices, const std:
     if(v >= number_of_vertices)
       throw Invalid_input(Input_defect::INVALID_VERTEX_INDEX, h / 3,
                           "invalid vertex index: face " + std::to_string(h / 3) + " refers to vertex " +
-                          std::to_string(v) + " of " + std::to_string(number_of_vertices));
+                              std::to_string(v) + " of " + std::to_string(number_of_vertices));
     if(v == corners[Corner_table::next(h)])
       throw Invalid_input(Input_defect::ZERO_LENGTH_EDGE, h / 3,
                           "degenerate face: face " + std::to_string(h / 3) + " uses vertex " + std::to_string(v) +
-                          " twice");
+                              " twice");
     table.halfedges.push_back({v, null_index});
     ++first[v + 1];
   }
@@ -134,7 +134,8 @@ inline Corner_table make_corner_table(std::size_t number_of_vertices, const std:
     const Index begin = table.outgoing[v] = out[first[v]].halfedge;
     std::size_t fan = 0;
     Index h = begin;
-    do {
+    do
+    {
       ++fan;
       h = table.halfedges[Corner_table::prev(h)].opposite;
     } while(h != begin && h != null_index);
@@ -145,7 +146,7 @@ inline Corner_table make_corner_table(std::size_t number_of_vertices, const std:
     if(fan != first[v + 1] - first[v])
       throw Invalid_input(Input_defect::NON_MANIFOLD_VERTEX, v,
                           "non-manifold vertex: the faces around vertex " + std::to_string(v) +
-                          " form more than one fan");
+                              " form more than one fan");
   }
   return table;
 }
@@ -159,9 +160,9 @@ inline bool has_border(const Corner_table& table)
 
 // Closes an open surface by ghosts, in the order of the smallest border halfedges of the holes, and returns for each
 // hole its vertices in cyclic order. Linear.
-inline std::vector<std::vector<Index> > close_by_ghosts(Corner_table& table)
+inline std::vector<std::vector<Index>> close_by_ghosts(Corner_table& table)
 {
-  std::vector<std::vector<Index> > holes;
+  std::vector<std::vector<Index>> holes;
   const Index n = static_cast<Index>(table.halfedges.size());
   table.first_ghost_vertex = static_cast<Index>(table.outgoing.size());
   table.first_ghost_face = n / 3;
@@ -173,7 +174,8 @@ inline std::vector<std::vector<Index> > close_by_ghosts(Corner_table& table)
     const std::size_t begin = table.halfedges.size();
     std::vector<Index> hole;
     Index h = first; // from u to v, with the hole on its right
-    do {
+    do
+    {
       const std::size_t g = table.halfedges.size();
       if(g + 3 >= null_index)
         throw Invalid_input(Input_defect::TOO_LARGE, 0, "mesh too large: 32-bit indices name at most 1431655764 faces");
@@ -184,7 +186,7 @@ inline std::vector<std::vector<Index> > close_by_ghosts(Corner_table& table)
       table.halfedges.push_back({v, h});              // v -> u
       table.halfedges.push_back({u, from_v + 5});     // u -> ghost, next to the edge to u of the face after this one
       table.halfedges.push_back({ghost, from_v - 2}); // ghost -> v
-      h = Corner_table::prev(h); // the other border halfedge of u's fan
+      h = Corner_table::prev(h);                      // the other border halfedge of u's fan
       while(table.halfedges[h].opposite != null_index && h != first)
         h = Corner_table::prev(table.halfedges[h].opposite);
     } while(h != first);

@@ -50,7 +50,8 @@ public:
     {
       const Index begin = pm.outgoing(v);
       Index h = begin;
-      do {
+      do
+      {
         if(pm.is_ghost_vertex(pm.target(h)))
         {
           h = pm.ccw(h);
@@ -98,7 +99,7 @@ public:
   const Neighbour* neighbours_end(Index vertex) const { return m_neighbours.data() + m_begin[vertex + 1]; }
 
 private:
-  std::vector<Index> m_vertices; // their ids
+  std::vector<Index> m_vertices;    // their ids
   std::vector<std::size_t> m_begin; // of the neighbours of each vertex
   std::vector<Neighbour> m_neighbours;
   std::vector<Edge> m_edges;

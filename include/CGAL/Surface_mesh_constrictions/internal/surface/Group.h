@@ -21,9 +21,9 @@ struct Group
 
 // Groups of `size` items, of which the last may have fewer.
 template <class Result>
-std::vector<Group<Result> > make_groups(std::size_t items, std::size_t size)
+std::vector<Group<Result>> make_groups(std::size_t items, std::size_t size)
 {
-  std::vector<Group<Result> > groups;
+  std::vector<Group<Result>> groups;
   for(std::size_t begin = 0; begin < items; begin += size)
     groups.push_back({begin, (std::min)(begin + size, items), Result()});
   return groups;

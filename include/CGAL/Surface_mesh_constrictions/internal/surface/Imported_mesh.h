@@ -33,14 +33,14 @@ inline void check_points(const Corner_table& table, const std::vector<Point>& po
       if(!std::isfinite(points[v][i]))
         throw Invalid_input(Input_defect::NON_FINITE_COORDINATE, v,
                             "non-finite coordinate: vertex " + std::to_string(v) + " has " + "xyz"[i] + " = " +
-                            std::to_string(points[v][i]));
+                                std::to_string(points[v][i]));
   for(Index h = 0; h < table.halfedges.size(); ++h)
   {
     const Index u = table.halfedges[h].source, v = table.halfedges[Corner_table::next(h)].source;
     if(points[u] == points[v])
       throw Invalid_input(Input_defect::ZERO_LENGTH_EDGE, h / 3,
                           "degenerate face: " + edge_name(u, v) + " of face " + std::to_string(h / 3) +
-                          " has length zero");
+                              " has length zero");
   }
 }
 
@@ -75,8 +75,7 @@ public:
 
   // Throws Invalid_input for every defect of the mesh. Linear in its size.
   template <class VertexPointMap, class VertexIndexMap>
-  Imported_mesh(const TriangleMesh& tm, VertexPointMap vpm, VertexIndexMap vim)
-    : m_tm(tm)
+  Imported_mesh(const TriangleMesh& tm, VertexPointMap vpm, VertexIndexMap vim) : m_tm(tm)
   {
     std::vector<Index> index; // of the descriptor's index, which may have gaps
     for(vertex_descriptor v : vertices(tm))

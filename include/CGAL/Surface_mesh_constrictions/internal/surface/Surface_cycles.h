@@ -207,9 +207,9 @@ private:
 
   long ghosts_of_subtree(Index f) const
   {
-    return m_ghosts_before.empty() ? 0
-                                   : static_cast<long>(m_ghosts_before[m_end[f]]) -
-                                         static_cast<long>(m_ghosts_before[m_first[f]]);
+    return m_ghosts_before.empty()
+               ? 0
+               : static_cast<long>(m_ghosts_before[m_end[f]]) - static_cast<long>(m_ghosts_before[m_first[f]]);
   }
 
   // The subtrees of faces that a path turns off, and 1 or -1 for whether their top is on its left or on its right.
@@ -255,7 +255,8 @@ private:
       {
         const Index begin = m_pm.outgoing(queue[i]);
         Index h = begin;
-        do {
+        do
+        {
           const Index v = m_pm.target(h);
           if(!is_reached[v])
           {

@@ -26,8 +26,8 @@ inline void check_loop(const Progressive_mesh& pm, const std::vector<Index>& pat
     if(u >= pm.number_of_vertex_ids() || v >= pm.number_of_vertex_ids() || pm.is_ghost_vertex(u) ||
        pm.is_ghost_vertex(v) || !pm.is_vertex(u) || pm.halfedge(u, v) == null_index)
       throw Invalid_input(Input_defect::INVALID_LOOP, number,
-                          name + " is not a path of mesh edges: no edge joins vertices " + std::to_string(u) +
-                          " and " + std::to_string(v));
+                          name + " is not a path of mesh edges: no edge joins vertices " + std::to_string(u) + " and " +
+                              std::to_string(v));
   }
 }
 

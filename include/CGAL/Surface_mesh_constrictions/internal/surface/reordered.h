@@ -19,11 +19,11 @@ namespace internal {
 // are translated; for one that is left out stands the first one that is not, on the way along dominated_by(), or else
 // the vertex where that ends. The areas swept on that way add up.
 template <class TriangleMesh>
-std::vector<Constriction<TriangleMesh> > reordered(const std::vector<Constriction<TriangleMesh> >& given,
+std::vector<Constriction<TriangleMesh>> reordered(const std::vector<Constriction<TriangleMesh>>& given,
                                                   const std::vector<std::size_t>& order, std::size_t number)
 {
   number = (std::min)(number, order.size());
-  std::vector<std::optional<std::size_t> > place(given.size());
+  std::vector<std::optional<std::size_t>> place(given.size());
   for(std::size_t i = 0; i < number; ++i)
     place[order[i]] = i;
   const auto translate = [&place](std::vector<std::size_t>& numbers) {
@@ -34,7 +34,7 @@ std::vector<Constriction<TriangleMesh> > reordered(const std::vector<Constrictio
     numbers.swap(result);
   };
 
-  std::vector<Constriction<TriangleMesh> > result;
+  std::vector<Constriction<TriangleMesh>> result;
   for(std::size_t i = 0; i < number; ++i)
   {
     typename Constriction<TriangleMesh>::Data data = given[order[i]].data();

@@ -32,8 +32,7 @@ public:
   };
 
   // Takes the crossed halfedges of one turn; what is crossed forth and back at once is removed. Linear.
-  Closed_strip(const Progressive_mesh& pm, Strip strip)
-    : m_pm(pm), m_strip(std::move(strip))
+  Closed_strip(const Progressive_mesh& pm, Strip strip) : m_pm(pm), m_strip(std::move(strip))
   {
     cancel_backtracks(pm, m_strip);
     std::size_t n = 0;

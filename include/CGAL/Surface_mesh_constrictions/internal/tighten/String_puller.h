@@ -28,10 +28,7 @@ inline void cancel_backtracks(const Progressive_mesh& pm, Strip& strip)
   strip.resize(end);
 }
 
-inline bool is_incident(const Progressive_mesh& pm, Index h, Index v)
-{
-  return pm.source(h) == v || pm.target(h) == v;
-}
+inline bool is_incident(const Progressive_mesh& pm, Index h, Index v) { return pm.source(h) == v || pm.target(h) == v; }
 
 // Makes a strip from u to w legal: no backtracks, and no crossing of an edge of u at its start or of w at its end.
 inline void normalize_strip(const Progressive_mesh& pm, Index u, Strip& strip, Index w)
@@ -117,8 +114,8 @@ private:
   {
     while(!side.empty())
     {
-      const Vector2 before = side.corners.size() - side.head >= 2 ? side.corners[side.corners.size() - 2].position
-                                                                  : m_apex;
+      const Vector2 before =
+          side.corners.size() - side.head >= 2 ? side.corners[side.corners.size() - 2].position : m_apex;
       const Vector2 last = side.corners.back().position;
       const int t = turn(before, last, corner.position, sign);
       if(t > 0 || (t == 0 && dot(last - before, corner.position - last) >= 0))

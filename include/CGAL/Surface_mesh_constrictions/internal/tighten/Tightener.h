@@ -120,10 +120,9 @@ public:
         continue;
       const Index curve = m_network.node(entry.arc).curve;
       const Curve_side sharper = entry.angles.left <= entry.angles.right ? Curve_side::LEFT : Curve_side::RIGHT;
-      const bool is_changed =
-          reroute(entry.arc, sharper) ||
-          ((std::max)(entry.angles.left, entry.angles.right) < CGAL_PI - angle_tolerance &&
-           reroute(entry.arc, other_side(sharper)));
+      const bool is_changed = reroute(entry.arc, sharper) ||
+                              ((std::max)(entry.angles.left, entry.angles.right) < CGAL_PI - angle_tolerance &&
+                               reroute(entry.arc, other_side(sharper)));
       if(is_changed && is_known(curve))
         m_queue = std::priority_queue<Entry>();
     }

@@ -66,8 +66,8 @@ public:
 private:
   Curve_network& m_network;
   Tightener& m_tightener;
-  std::vector<Index> m_ends;                         // by curve
-  std::vector<Index> m_pivots;                       // by curve: one that it has passed through
+  std::vector<Index> m_ends;   // by curve
+  std::vector<Index> m_pivots; // by curve: one that it has passed through
   Index m_last_pivot = null_index;
   std::unordered_map<std::uint64_t, Index> m_passed; // the first curve that was ever equal to one of that hash
 };

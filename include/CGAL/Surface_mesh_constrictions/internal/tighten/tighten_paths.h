@@ -29,7 +29,7 @@ struct Ends_of_paths
 {
   struct End
   {
-    Closed_curve curve;       // smaller than its measured arcs
+    Closed_curve curve; // smaller than its measured arcs
     std::size_t arcs;
     std::uint64_t hash;
     std::vector<std::size_t> paths;

@@ -61,7 +61,7 @@ public:
     const halfedge_descriptor entry = m_nodes[first + 1].halfedge;
     std::size_t s = add_corner(patch, source(entry, m_tm)), t = add_corner(patch, target(entry, m_tm)), end = begin;
     patch.add_face(s, t, begin);
-    std::vector<std::array<std::size_t, 2> > crossed;
+    std::vector<std::array<std::size_t, 2>> crossed;
     for(std::size_t i = first + 1; i < last; ++i)
     {
       // the strip is its own surface: a face that it passes twice is in it twice
@@ -107,7 +107,8 @@ public:
         done = opposite(around, m_tm);
       }
     halfedge_descriptor h = done;
-    do {
+    do
+    {
       link.push_back(add_corner(patch, target(h, m_tm)));
       if(before.is_vertex && before.vertex == target(h, m_tm))
         begin = link.back();

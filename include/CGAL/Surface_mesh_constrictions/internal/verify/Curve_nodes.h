@@ -36,8 +36,7 @@ public:
   };
 
   // tolerance: of the parameter of a crossing
-  Curve_nodes(const TriangleMesh& tm, const std::vector<Location>& locations, double tolerance)
-    : m_tm(tm)
+  Curve_nodes(const TriangleMesh& tm, const std::vector<Location>& locations, double tolerance) : m_tm(tm)
   {
     for(std::size_t i = 0; i < locations.size(); ++i)
     {

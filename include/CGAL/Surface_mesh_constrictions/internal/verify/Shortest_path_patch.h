@@ -171,7 +171,7 @@ private:
   }
 
   std::vector<Corner> m_corners;
-  std::vector<std::array<std::size_t, 3> > m_faces;
+  std::vector<std::array<std::size_t, 3>> m_faces;
   Mesh m_mesh;
 };
 
