@@ -11,7 +11,7 @@
 #                                       which comparisons can be flipped without a test that notices
 #   configurations                      what .ci/run leaves out: the whole suite with the sanitizers of both compilers, and
 #                                       the same curves in the debug builds and with Clang
-#   headers                             every internal header compiles on its own
+#   headers                             every header compiles on its own
 #   meshes                              all of CGAL's meshes but a point cloud are answered, each curve certified; prints
 #                                       the tables of the manual
 #   selection                           the default call selects what is selected of all, on all of CGAL's meshes of up
@@ -41,7 +41,7 @@ run() { # STEP
     headers)
       scripts/setup.sh && cmake --preset release -DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_TEST_PROGRAMS=OFF &&
         cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 2000)" \
-          --target internal_headers_compile_alone
+          --target public_headers_compile_alone --target internal_headers_compile_alone
       ;;
     meshes)
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&

@@ -5,9 +5,9 @@
 #
 #   scripts/test.sh [PRESET[:curves|:short]...]    presets of CMakePresets.json; release if none is given
 #
-# Everything is built and tested; the public headers are compiled on their own in the first configuration only, the
-# benchmarks are built in the last one only. With `:short` the sources of test programs that run for long are only
-# checked. With `:curves` only two things are tested: that the combinatorial curves of real meshes are those of every
+# Everything is built and tested but that each header compiles on its own, which is scripts/nightly.sh's; the benchmarks
+# are built in the last configuration only. With `:short` the sources of test programs that run for long are only
+# checked, and there are no examples. With `:curves` only two things are tested: that the combinatorial curves of real meshes are those of every
 # other configuration, and that a project can use the installed package.
 #
 # If CGAL_DIR is set, that CGAL is used instead of the installed one, or of Debian's CGAL 6 by a preset named for it.
@@ -34,17 +34,12 @@ fi
 cd "$project"
 mkdir -p build
 names=()
-checks_headers=ON
 for configuration in "${configurations[@]}"; do
   preset=${configuration%:*}
-  options=(-DWITH_QUICK_COMPILATION=ON -DWITH_INTERNAL_HEADER_CHECK=OFF "-DCONSTRICTIONS_TEST_PREFIX=$preset.")
+  options=(-DWITH_QUICK_COMPILATION=ON -DWITH_HEADER_CHECK=OFF "-DCONSTRICTIONS_TEST_PREFIX=$preset.")
   case $configuration in
-    *:curves) options+=(-DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_TEST_PROGRAMS=OFF -DWITH_HEADER_CHECK=OFF) ;;
-    *)
-      options+=("-DWITH_HEADER_CHECK=$checks_headers")
-      checks_headers=OFF
-      [[ $configuration != *:short ]] || options+=(-DWITH_LONG_TESTS=OFF)
-      ;;
+    *:curves) options+=(-DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_TEST_PROGRAMS=OFF) ;;
+    *:short) options+=(-DWITH_EXAMPLES=OFF -DWITH_LONG_TESTS=OFF) ;;
   esac
   if [ "$configuration" = "${configurations[-1]}" ]; then
     options+=(-DWITH_BENCHMARKS=ON)
