@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Find the constrictions of a mesh and print the points of the most prominent one.
+// Find the constrictions of a mesh and print the points of the first one.
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 
