@@ -105,10 +105,10 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 ///   \cgalParamNBegin{crossing_constrictions}
 ///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected,
 ///                           there and back: see `Constriction::crosses()`; those that have a rival that could be
-///                           selected instead: see `Constriction::rivals()`; those that cross four shorter ones of
-///                           a prominence of 0.3 or more, or sixteen of any; and those that are composed of shorter
-///                           ones: modulo 2 their homology class is the sum of the classes of shorter ones, one of
-///                           which they cross}
+///                           selected instead, where there are others: see `Constriction::rivals()`; those that cross
+///                           four shorter ones of a prominence of 0.3 or more, or sixteen of any; and those that are
+///                           composed of shorter ones: modulo 2 their homology class is the sum of the classes of
+///                           shorter ones, one of which they cross}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

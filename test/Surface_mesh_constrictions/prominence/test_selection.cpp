@@ -134,6 +134,13 @@ TEST(Selection, OfTwoRivalsNeitherIsSelected)
   EXPECT_EQ(select(given, params::minimum_prominence(0.95)), (Doubles{1})); // the other one is not there
 }
 
+// A cross of cubes has nothing else: around its middle several run aslant.
+TEST(Selection, WhereThereAreOnlyRivalsTheMostProminentIsSelected)
+{
+  const std::vector<Constriction> given = {rival(1, {1}, {}), rival(0.9, {0}, {0})};
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{1}));
+}
+
 TEST(Selection, ARivalThatCrossesASelectedOneDoesNotCount)
 {
   // 2 crosses 0, which is selected

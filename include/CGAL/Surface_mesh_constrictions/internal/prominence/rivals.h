@@ -2,6 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_RIVALS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_RIVALS_H
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -24,13 +25,12 @@ inline bool are_alike(double prominence, double other)
 }
 
 // Selects from constrictions with these numbers, the most prominent first, those that cross none of the others selected
-// there and back, and have no rival that could be selected instead. So a body with a symmetry gets an answer with that
-// symmetry: of a curve that lies aslant and its mirror image neither is selected. `crossing` are the numbers of those
-// that each one crosses. Linear in these.
+// there and back, and have no rival that could be selected instead, unless `with_rivals`. `crossing` are the numbers of
+// those that each one crosses. Linear in these.
 template <class Constriction>
 std::vector<std::size_t> without_crossing_ones(const std::vector<Constriction>& given,
                                                const std::vector<std::size_t>& order,
-                                               const std::vector<std::vector<std::size_t>>& crossing)
+                                               const std::vector<std::vector<std::size_t>>& crossing, bool with_rivals)
 {
   enum Choice
   {
@@ -47,10 +47,8 @@ std::vector<std::size_t> without_crossing_ones(const std::vector<Constriction>& 
   {
     if(choice[i] == CROSSES_A_SELECTED_ONE)
       continue;
-    bool has_rival = false;
-    for(std::size_t j : given[i].rivals())
-      has_rival = has_rival || choice[j] == OPEN;
-    if(has_rival)
+    const auto is_open = [&choice](std::size_t j) { return choice[j] == OPEN; };
+    if(!with_rivals && std::any_of(given[i].rivals().begin(), given[i].rivals().end(), is_open))
       continue;
     choice[i] = SELECTED;
     selected.push_back(i);
@@ -59,6 +57,17 @@ std::vector<std::size_t> without_crossing_ones(const std::vector<Constriction>& 
         choice[j] = CROSSES_A_SELECTED_ONE;
   }
   return selected;
+}
+
+// The same. A body with a symmetry so gets an answer with that symmetry: of a curve that lies aslant and its mirror
+// image neither is selected. Only where nothing but rivals is found they are selected as others are.
+template <class Constriction>
+std::vector<std::size_t> without_crossing_ones(const std::vector<Constriction>& given,
+                                               const std::vector<std::size_t>& order,
+                                               const std::vector<std::vector<std::size_t>>& crossing)
+{
+  std::vector<std::size_t> result = without_crossing_ones(given, order, crossing, false);
+  return result.empty() ? without_crossing_ones(given, order, crossing, true) : result;
 }
 
 } // namespace internal
