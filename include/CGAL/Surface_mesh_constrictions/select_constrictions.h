@@ -32,7 +32,7 @@ constexpr double default_minimum_prominence = 0.05;
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The isolation that a constriction has at least among those selected by default, see `Constriction::isolation()`.
 /// Around a tube two that are nearer to each other than half of its diameter are one place.
-constexpr double default_minimum_isolation = 0.15;
+constexpr double default_minimum_isolation = internal::area_of_one_place; // 0.15
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The isoperimetric ratio that a separating constriction has at most, to be selected by default.
