@@ -33,10 +33,10 @@ kept() {
     return
   fi
   local place
-  place="$(realpath -m "$FINDINGS_CACHE")/$(echo "$@" | sha1sum | cut -c 1-12)"
+  place="$(realpath -m "$FINDINGS_CACHE")/$(echo "$@" | sha1sum | cut -c 1-12)/$name"
   if [ ! -e "$place" ]; then
     "$@"
-    mkdir -p "$FINDINGS_CACHE"
+    mkdir -p "${place%/*}"
     mv "$work/$name" "$place"
   fi
   ln -sfn "$place" "$work/$name"
