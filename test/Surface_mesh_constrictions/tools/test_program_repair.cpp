@@ -270,6 +270,37 @@ TEST_F(Program_repair, check_prints_everything_and_writes_the_mesh)
   expect_wrong_usage("check a.obj -o a.obj");
 }
 
+// A body of a thousandth in map coordinates. Seen from the origin its volume would be rounding errors.
+TEST_F(Program_repair, volumes_far_from_the_origin)
+{
+  Polygons file = triangulated(dumbbell());
+  write("near.obj", as_obj(file));
+  for(Position& p : file.points)
+    for(double& c : p)
+      c = 1e6 + 1e-4 * c;
+  write("far.obj", as_obj(file));
+  for(Face& f : file.faces)
+    std::reverse(f.begin(), f.end());
+  write("inside_out.obj", as_obj(file));
+  EXPECT_EQ(run("check far.obj").out.find("normals point inside"), std::string::npos);
+  EXPECT_NE(run("check inside_out.obj").out.find("normals point inside"), std::string::npos);
+
+  std::vector<std::vector<double>> volumes;
+  for(const char* name : {"near", "far"})
+  {
+    EXPECT_EQ(run("segment " + std::string(name) + ".obj -o " + name).exit_code, 0);
+    volumes.emplace_back();
+    const Json parts = Json::parse(content(std::string(name) + "/parts.json"));
+    for(const Json& part : parts.at("parts"))
+      volumes.back().push_back(part.at("volume").get<double>());
+    std::sort(volumes.back().begin(), volumes.back().end());
+  }
+  ASSERT_EQ(volumes[0].size(), 2u);
+  ASSERT_EQ(volumes[1].size(), 2u);
+  for(std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR(volumes[1][i] * 1e12, volumes[0][i], 1e-3 * volumes[0][i]);
+}
+
 TEST_F(Program_repair, check_of_what_cannot_be_used)
 {
   write("strip.off", "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1\n-1 0 1\n3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n");

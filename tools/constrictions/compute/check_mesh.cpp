@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "compute/closed_volume.h"
 #include "compute/computations.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <cstddef>
@@ -43,7 +43,7 @@ Check_report check_mesh(const std::string& name, const Reading& reading)
         CGAL::collinear(report.mesh.point(report.mesh.source(h)), report.mesh.point(report.mesh.target(h)),
                         report.mesh.point(report.mesh.target(report.mesh.next(h))));
   }
-  report.is_inside_out = report.file.findings.count(Finding::HOLES) == 0 && PMP::volume(report.mesh) < 0;
+  report.is_inside_out = report.file.findings.count(Finding::HOLES) == 0 && closed_volume(report.mesh) < 0;
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
   PMP::self_intersections<CGAL::Sequential_tag>(faces(report.mesh), report.mesh, std::back_inserter(pairs));
   report.self_intersections = pairs.size();

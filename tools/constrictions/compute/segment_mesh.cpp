@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "compute/closed_volume.h"
 #include "compute/computations.h"
 
 #include <CGAL/Surface_mesh_constrictions/extract_parts.h>
@@ -87,7 +88,7 @@ Part measured_part(const Mesh& open, Mesh&& capped, bool is_open)
   Part part;
   part.area = PMP::area(open);
   // a part with holes of the input has no volume
-  part.volume = CGAL::is_closed(capped) ? PMP::volume(capped) : std::numeric_limits<double>::quiet_NaN();
+  part.volume = CGAL::is_closed(capped) ? closed_volume(capped) : std::numeric_limits<double>::quiet_NaN();
   part.is_cavity = false;
   part.boundaries = 0;
   std::vector<bool> is_seen(open.num_halfedges(), false);
