@@ -8,8 +8,8 @@
 
 namespace constrictions {
 
-/// What a closed triangle mesh encloses; negative if it is inside out. It is measured from one of the vertices: seen from
-/// the origin, with a small body far away, the tetrahedra over the faces cancel out, and their rounding errors are left.
+/// What a closed triangle mesh encloses; negative if it is inside out. It is measured from one of the vertices: seen
+/// from the origin, with a small body far away, the tetrahedra over the faces cancel out, and rounding errors are left.
 inline double closed_volume(const Mesh& mesh)
 {
   double six_times = 0;
