@@ -9,7 +9,7 @@
 # other side is not turned. The wall of a pocket in a box and the inner wall of a pipe face into the material: along
 # their rims two faces run in the same direction, and the volume by the faces of the pipe is 6.7 for 4.7. The cavity of
 # a hollow box is oriented like the outside, so that it counts as filled twice: 1.125 for 0.875. Nothing is said; the
-# surfaces are closed. The bore through a box is right in Gmsh, by chance.
+# surfaces are closed. The bore through a box is right in Gmsh, and not in Netgen.
 #
 # Why it matters: a pipe made by CAD is a plain test for a neck of the space around a body. A halfedge structure refuses
 # such a file or tears it along the rims, and where it is taken inside and outside of the cavity are mixed up. The

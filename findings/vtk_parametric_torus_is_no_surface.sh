@@ -12,8 +12,9 @@
 # changes nothing, since the places differ in the last digits; with a tolerance of 1e-6 it gives a closed torus of 23 by
 # 11 points.
 #
-# Why it matters: it is the torus that one takes to try a program on, and its necks are known. As it comes it is refused
-# by programs for closed surfaces, and programs that repair take what is left for another surface.
+# Why it matters: it is the torus that one takes to try a program on, and its necks are known. As it comes
+# "constrictions check" calls it a surface that cannot be oriented, and the faces it names as the reason are not to be
+# seen.
 . "$(dirname "$0")/lib/packages.sh"
 debian python3-vtk9=9.1.0+really9.1.0+dfsg2-5+deb12u1
 
