@@ -55,6 +55,18 @@ TEST(Prominence, TheBarrierOfANeckIsTheLowerOfTheBulgesBesideIt)
   EXPECT_FALSE(curves[0].dominated_by());
 }
 
+// On a noisy neck of many edges there are dozens of vertices that the curve may pass on either side, at nearly the same
+// length, each on its own. Of the 2^n curves one stands for all.
+TEST(Prominence, OneOfManyCurvesThatPassVerticesOnEitherSideStandsForAll)
+{
+  for(unsigned seed = 1; seed < 4; ++seed)
+  {
+    const std::vector<Constriction> curves =
+        detect(test_meshes::make_mesh(test_meshes::chain_of_necks(0.004, seed, 120, 110)));
+    EXPECT_EQ(curves.size(), 4u) << seed;
+  }
+}
+
 // From the neck of radius 0.5 the bulge of 0.7 leads to the one of 0.3; from that, the end of 0.9 is the lower one.
 TEST(Prominence, AShallowNeckSlidesToADeeperOneOverTheBulgeBetweenThem)
 {

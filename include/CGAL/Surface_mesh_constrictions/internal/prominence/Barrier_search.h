@@ -14,8 +14,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -50,6 +52,13 @@ struct Barrier
 class Barrier_search
 {
 public:
+  // A longer curve into whose basin a sweep has come, and the greatest length on the way there.
+  struct Neighbour
+  {
+    Index curve;
+    double barrier;
+  };
+
   // `lengths` and `angles` of the surface. Linear in the size of the mesh.
   Barrier_search(const Progressive_mesh& pm, const Edge_lengths& lengths, const Corner_angles& angles)
     : m_sweep(pm, lengths), m_angles(angles), m_tightener(pm, angles), m_descents(m_tightener, angles)
@@ -63,25 +72,50 @@ public:
   Barrier search(const std::vector<Arc>& arcs, const std::vector<Trace_point>& trace, bool separates,
                  double greatest_length, bool with_ties = true)
   {
+    begin(arcs, separates, with_ties);
+    return followed(lowest(trace, greatest_length));
+  }
+
+  // As `search()`, but over single vertices alone; the end is NONE if no way up to the length leads over one.
+  Barrier search_vertices(const std::vector<Arc>& arcs, bool separates, double greatest_length, bool with_ties = true)
+  {
+    begin(arcs, separates, with_ties);
+    return followed(pass_vertices(greatest_length));
+  }
+
+  // The barrier around the curve that was searched from last, if a curve of the tightener is what lies behind it; its
+  // end is NONE if that is neither shorter nor stands for both.
+  Barrier behind_barrier(double length, Index curve)
+  {
+    if(curve == m_goal || !m_tightener.is_simple(curve) || !is_lower(curve))
+      return {length, Barrier_end::NONE, null_index, Strip(), null_index};
+    return followed({length, Barrier_end::CURVE, curve, Strip(), null_index});
+  }
+
+  // The neighbours of the curve that was searched from last, in no order, some more than once.
+  const std::vector<Neighbour>& neighbours() const { return m_all_neighbours; }
+
+private:
+  void begin(const std::vector<Arc>& arcs, bool separates, bool with_ties)
+  {
     m_goal = m_tightener.enter(arcs);
     m_goal_length = m_tightener.length(m_goal);
     m_separates = separates;
     m_with_ties = with_ties;
     m_neighbours.clear();
-    Barrier result = lowest(trace, greatest_length);
-    const Descent* const further = result.end == Barrier_end::CURVE ? m_descents.descent(result.curve) : nullptr;
-    return further != nullptr && is_lower(*further) ? barrier(result.length, *further) : result;
+    m_all_neighbours.clear();
   }
 
-private:
-  // A longer curve into whose basin a sweep has come, and the greatest length on the way there.
-  struct Neighbour
+  // If the curve behind a barrier hardly holds, its end is what that becomes.
+  Barrier followed(Barrier b)
   {
-    Index curve;
-    double barrier;
-  };
+    const Descent* const further = b.end == Barrier_end::CURVE ? m_descents.descent(b.curve) : nullptr;
+    return further != nullptr && is_lower(*further) ? barrier(b.length, *further) : b;
+  }
 
   static constexpr std::size_t most_detours = 16, most_passes = 64;
+  // Rises that differ by less than this share of the length are equal but for rounding.
+  static constexpr double equal_rise_tolerance = 1e-12;
 
   // Of this height, and behind it what the curve there becomes.
   static Barrier barrier(double height, const Descent& d)
@@ -132,7 +166,9 @@ private:
   }
 
   // The easiest way found over single vertices, of no more than a length; its end is NONE if there is none. The passes
-  // of the curves found are tried in the order of their heights.
+  // of the curves found are tried in the order of their heights. Where a pass makes the curve longer by as much as it
+  // did before, what has been passed since does not touch it: if neither of two such passes makes the curve shorter,
+  // both together do not. Else n vertices would lead to 2^n curves.
   Barrier pass_vertices(double greatest_length)
   {
     struct Way
@@ -146,15 +182,24 @@ private:
     const auto is_higher = [](const Way& x, const Way& y) { return x.height() > y.height(); };
     std::vector<Way> ways; // a heap
     std::vector<Index> found(1, m_goal);
-    const auto add_ways = [&](Index curve, double height) {
+    std::unordered_map<Index, std::vector<double>> rises; // tried, by vertex
+    // of a curve that has just been led over a vertex, or null_index; the way back over that is none
+    const auto add_ways = [&](Index curve, double height, Index vertex) {
       for(Vertex_pass& p : vertex_passes(m_tightener.surface(), m_angles, m_tightener.arcs(curve), greatest_length,
                                          m_tightener.puller()))
       {
+        std::vector<double>& tried = rises[p.vertex];
+        const double rise = p.length - m_tightener.length(curve);
+        if(p.vertex == vertex || std::any_of(tried.begin(), tried.end(), [&](double t) {
+             return std::abs(t - rise) <= equal_rise_tolerance * m_goal_length;
+           }))
+          continue;
+        tried.push_back(rise);
         ways.push_back({curve, height, std::move(p)});
         std::push_heap(ways.begin(), ways.end(), is_higher);
       }
     };
-    add_ways(m_goal, 0);
+    add_ways(m_goal, 0, null_index);
     for(std::size_t i = 0; i < most_passes && !ways.empty(); ++i)
     {
       std::pop_heap(ways.begin(), ways.end(), is_higher);
@@ -170,7 +215,7 @@ private:
       if(std::find(found.begin(), found.end(), b.longest) == found.end())
       {
         found.push_back(b.longest);
-        add_ways(b.longest, height);
+        add_ways(b.longest, height, way.pass.vertex);
       }
     }
     return {(std::numeric_limits<double>::infinity)(), Barrier_end::NONE, null_index, Strip(), null_index};
@@ -199,11 +244,15 @@ private:
 
   // Whether what a boundary has been tightened to is shorter than the goal, or a curve of the same length that stands
   // for both.
-  bool is_lower(const Tightened_boundary& b) const
+  bool is_lower(const Tightened_boundary& b) const { return is_lower(b.length, b.longest); }
+
+  bool is_lower(Index curve) const { return is_lower(m_tightener.length(curve), curve); }
+
+  bool is_lower(double length, Index longest) const
   {
     const double tolerance = equal_length_tolerance * m_goal_length;
-    return b.length < m_goal_length - tolerance || (b.length <= m_goal_length + tolerance && m_with_ties &&
-                                                    b.longest != m_goal && m_tightener.precedes(b.longest, m_goal));
+    return length < m_goal_length - tolerance || (length <= m_goal_length + tolerance && m_with_ties &&
+                                                  longest != m_goal && m_tightener.precedes(longest, m_goal));
   }
 
   // Whether what a curve becomes is shorter than the goal.
@@ -341,7 +390,10 @@ private:
     if(!is_lower(b))
     {
       if(b.longest != m_start && b.longest != m_goal && b.length == m_tightener.length(b.longest))
+      {
         m_neighbours.push_back({b.longest, (std::max)(m_sides[s].highest_up_to[level], m_barrier_before)});
+        m_all_neighbours.push_back(m_neighbours.back());
+      }
       return false;
     }
     found.end = b.longest == null_index ? Barrier_end::POINT : Barrier_end::CURVE;
@@ -358,9 +410,10 @@ private:
   std::array<Side, 2> m_sides;
   Index m_goal = null_index; // the curve that is to become shorter, of the tightener
   double m_goal_length = 0;
-  Index m_start = null_index; // the curve that is swept from, of the tightener
-  double m_length = 0;        // of that
-  std::vector<Neighbour> m_neighbours;
+  Index m_start = null_index;          // the curve that is swept from, of the tightener
+  double m_length = 0;                 // of that
+  std::vector<Neighbour> m_neighbours; // to be swept from
+  std::vector<Neighbour> m_all_neighbours;
   double m_barrier_before = 0; // the greatest length on the way to the curve that is swept from
   bool m_separates = true, m_with_ties = true;
   Barrier m_lowest;

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Strand.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/tie_key.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Closed_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Flat_band.h>
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -65,6 +65,16 @@ public:
   // The curve of a number.
   std::vector<Arc> arcs(Index c) const { return arcs_of_curve(m_network, c); }
   double length(Index c) const { return m_length[c]; }
+  std::uint64_t hash(Index c) const { return m_network.curve(c).hash; }
+
+  // The number of what a closed path of edges is tightened to; null_index if it shortens to a point.
+  Index tighten_path(const std::vector<Index>& path)
+  {
+    return path.size() < 3 ? null_index : end(m_network.add_curve(0, path));
+  }
+
+  // Whether a curve is simple.
+  bool is_simple(Index c) const { return m_is_simple[c]; }
 
   // Tightens a closed curve that is held at a vertex that it passes; no arcs if it shortens to that.
   std::vector<Arc> tighten_held(std::vector<Arc> arcs, Index vertex)
@@ -111,7 +121,7 @@ public:
   }
 
   // Of two curves of equal length the one that stands for both.
-  bool precedes(Index c, Index d) const { return key(c) < key(d); }
+  bool precedes(Index c, Index d) const { return tie_key(m_network, c) < tie_key(m_network, d); }
 
   // Tightens closed curves without pivots, given by what they cross, of this length in total; stops where the results
   // are longer together than the limit. Each is first pulled tight in its strip, which shortens it steadily: whatever
@@ -242,13 +252,6 @@ private:
           internal::is_simple(m_network.surface(), trace(m_network.surface(), arcs_of_curve(m_network, c)));
     }
     return known;
-  }
-
-  std::tuple<Index, std::uint64_t> key(Index c) const
-  {
-    Index least = null_index;
-    m_network.for_each_arc(c, [&](Index a) { least = (std::min)(least, m_network.arc(a).from); });
-    return {least, m_network.curve(c).hash};
   }
 
   static constexpr Index unknown = null_index - 1;
