@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/detect/found_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/policies_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
@@ -31,6 +32,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <iterator>
 #include <optional>
 #include <tuple>
@@ -254,6 +256,7 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
          ...);
       },
       internal::policies_asked_for(np));
+  const std::deque<internal::Measuring_level> levels = internal::measuring_levels(*surface);
   const Progressive_mesh& pm = *surface;
   std::vector<Seed_curve>& seeds = carried.seeds;
   std::vector<Refined_curve>& refined = carried.refined;
@@ -287,7 +290,7 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
   visitor.on_stage_end(Detection_stage::CERTIFICATION);
 
   visitor.on_stage_begin(Detection_stage::SELECTION, found.size());
-  internal::Detected_hierarchy hierarchy(pm, sides, network);
+  internal::Detected_hierarchy hierarchy(pm, levels, sides, network);
   const std::size_t passed = hierarchy.close<ConcurrencyTag>(
       found, refined, seeds, [&](std::vector<internal::Found_curve>& curves) { certify(curves, [](std::size_t) {}); });
   statistics.barriers = static_cast<std::size_t>(std::count_if(

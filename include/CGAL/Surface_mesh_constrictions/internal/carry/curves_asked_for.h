@@ -115,7 +115,7 @@ void add_prominent_curves(Curve_network& network, std::vector<Index> curves,
     {
       if(p.value >= least_coarse_prominence)
         result.push_back(curves[i]);
-      std::vector<Index> path = path_inside(pm, p.strip);
+      std::vector<Index> path = std::move(p.path);
       if(p.end == Barrier_end::CURVE && path.size() > 2 && numbers.insert(search.tightener().enter(p.arcs)).second)
       {
         const Index c = network.add_curve(add_seed(std::move(path)));

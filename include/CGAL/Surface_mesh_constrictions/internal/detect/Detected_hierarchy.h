@@ -10,10 +10,12 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/path_beside_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/tie_key.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/found_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Prominence_meter.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 
@@ -21,7 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <deque>
 #include <numeric>
 #include <optional>
 #include <unordered_map>
@@ -39,9 +41,10 @@ namespace internal {
 class Detected_hierarchy
 {
 public:
-  // Linear in the size of the mesh.
-  Detected_hierarchy(const Progressive_mesh& pm, const Surface_sides& sides, Curve_network& network)
-    : m_pm(pm), m_sides(sides), m_network(network), m_meter(pm)
+  // `levels` of the surface to measure on. Linear in the size of the mesh.
+  Detected_hierarchy(const Progressive_mesh& pm, const std::deque<Measuring_level>& levels, const Surface_sides& sides,
+                     Curve_network& network)
+    : m_pm(pm), m_sides(sides), m_network(network), m_meter(pm, levels)
   {}
 
   // Measures the curves that have been found, and adds those that they slide to: to `found`, sorted by length and each
@@ -62,6 +65,7 @@ public:
       {
         break_rings(found, added);
         mend_wrong_ends(found);
+        part_places(found);
       }
       std::vector<Index> asked; // curves of the network
       for(const Found_curve& f : found)
@@ -117,6 +121,7 @@ private:
     bool is_tie = false; // it slides to a curve of the same length
     Index slides_off = null_index;
     std::size_t slides_to = none; // seed of the curve
+    std::uint64_t place = 0;      // see `Prominence`
   };
 
   std::size_t number_of_passed_seeds() const
@@ -152,7 +157,7 @@ private:
         continue;
       Index first = c;
       for(Index d = next(c); d != c; d = next(d))
-        if(key(d) < key(first))
+        if(tie_key(m_network, d) < tie_key(m_network, first))
           first = d;
       if(!m_without_ties.insert(first).second)
       {
@@ -227,6 +232,25 @@ private:
     }
   }
 
+  // Curves that are one on the level on which they were measured have all been given the prominence of their place. The
+  // first of them keeps it; what parts the others from it is too fine for that level, and is measured on the input.
+  void part_places(const std::vector<Found_curve>& found)
+  {
+    const std::vector<std::size_t> rank = ranks(found);
+    std::vector<std::size_t> order(found.size());
+    for(std::size_t i = 0; i < found.size(); ++i)
+      order[rank[i]] = i;
+    std::unordered_set<std::uint64_t> places;
+    for(std::size_t i : order)
+    {
+      const Entry* const e = entry(found[i].curve);
+      if(e == nullptr || e->place == 0 || e->prominence < negligible_prominence || places.insert(e->place).second)
+        continue;
+      m_on_input.insert(found[i].curve);
+      forget(found[i].curve);
+    }
+  }
+
   void forget(Index curve)
   {
     for(std::size_t r : m_network.curve(curve).seeds)
@@ -258,18 +282,13 @@ private:
       } while(end < found.size() &&
               found[end].length - found[end - 1].length <= equal_length_tolerance * found[end].length);
       std::sort(order.begin() + static_cast<std::ptrdiff_t>(begin), order.begin() + static_cast<std::ptrdiff_t>(end),
-                [&](std::size_t i, std::size_t j) { return key(found[i].curve) < key(found[j].curve); });
+                [&](std::size_t i, std::size_t j) {
+                  return tie_key(m_network, found[i].curve) < tie_key(m_network, found[j].curve);
+                });
     }
     for(std::size_t i = 0; i < order.size(); ++i)
       result[order[i]] = i;
     return result;
-  }
-
-  std::pair<Index, std::uint64_t> key(Index c) const
-  {
-    Index least = null_index;
-    m_network.for_each_arc(c, [&](Index a) { least = (std::min)(least, m_network.arc(a).from); });
-    return {least, m_network.curve(c).hash};
   }
 
   // Where the way from a curve on leads: to the first curve on it that has been found, by a seed of that.
@@ -302,13 +321,13 @@ private:
     std::vector<Measured_curve> curves;
     for(Index c : asked)
     {
-      Measured_curve m = {arcs_of_curve(m_network, c), {}, m_network.length(c), false, m_without_ties.count(c) == 0};
+      Measured_curve m = {arcs_of_curve(m_network, c), {}, m_network.length(c), false, m_without_ties.count(c) == 0,
+                          m_on_input.count(c) > 0};
       m.trace = accurate_trace(m_pm, m.arcs);
       m.separates = m_sides.part(m.trace).is_separating();
       curves.push_back(std::move(m));
     }
-    const std::vector<Prominence> prominences =
-        m_meter.measure<ConcurrencyTag>(curves, (std::numeric_limits<double>::infinity)());
+    const std::vector<Prominence> prominences = m_meter.measure<ConcurrencyTag>(curves);
 
     Distinct_curves distinct(m_network);
     for(const Found_curve& f : found)
@@ -330,6 +349,7 @@ private:
       e.prominence = p.value;
       e.has_end = p.end != Barrier_end::NONE;
       e.slides_off = p.vertex;
+      e.place = p.place;
       if(p.end == Barrier_end::CURVE)
       {
         e.slides_to = refined.size();
@@ -338,7 +358,7 @@ private:
         std::vector<Arc> arcs = p.arcs;
         m_network.set_arcs(c, arcs);
         refined.push_back(Refined_curve{curve_of_arcs(p.arcs), {seeds.size()}, false});
-        seeds.push_back(Seed_curve{0, path_inside(m_pm, p.strip), Seed_origin::BARRIER});
+        seeds.push_back(Seed_curve{0, p.path, Seed_origin::BARRIER});
         const Index known = distinct.insert(c);
         m_curves.emplace(e.slides_to, known);
         if(known == c)
@@ -357,6 +377,7 @@ private:
   std::vector<std::optional<Entry>> m_entries;     // by seed: set for one seed of each curve that has been measured
   std::unordered_map<std::size_t, Index> m_curves; // by seed: that a curve that was measured slides to
   std::unordered_set<Index> m_without_ties;        // curves of the network
+  std::unordered_set<Index> m_on_input;            // curves of the network that are measured on no level
   std::vector<Index> m_passed;                     // curves of the network that are not found, but were measured
 };
 

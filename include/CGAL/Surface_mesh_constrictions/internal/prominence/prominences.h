@@ -5,19 +5,11 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Group.h>
-
-#include <CGAL/for_each.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <deque>
-#include <iterator>
-#include <optional>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -32,6 +24,7 @@ struct Measured_curve
   double length;
   bool separates;
   bool with_ties = true; // whether another curve of the same length may stand for it
+  bool on_input = false; // whether it is not to be measured on a coarser level
 };
 
 // A barrier relative to the length of its curve, less one, and what lies behind it.
@@ -39,65 +32,36 @@ struct Prominence
 {
   double value;
   Barrier_end end;
-  std::vector<Arc> arcs; // of the shorter curve, if `end` is CURVE
-  double length = 0;     // of that
-  Strip strip;           // of a closed curve that shortens to it
-  Index vertex;          // over which the curve slides off, if `end` is POINT
+  std::vector<Arc> arcs;   // of the shorter curve, if `end` is CURVE
+  double length = 0;       // of that
+  std::vector<Index> path; // of edges, that shortens to it; fewer than three vertices if none is known
+  Index vertex;            // over which the curve slides off, if `end` is POINT
+  std::uint64_t place = 0; // the same for all curves that are one on the level on which this one was measured, if not 0
 };
 
 // The height of a barrier relative to the length of its curve, less one; no less than 0 if rounding makes it so.
 inline double prominence_of_barrier(double barrier, double length) { return (std::max)(barrier / length - 1, 0.0); }
 
-// The prominence of one curve, up to a greatest value.
-inline Prominence prominence(Barrier_search& search, const Measured_curve& curve, double greatest)
+// What the barrier around the curve that was searched from last means.
+inline Prominence prominence_from(Barrier_search& search, const Barrier& b, double length)
 {
-  Barrier b = search.search(curve.arcs, curve.trace, curve.separates, (1 + greatest) * curve.length, curve.with_ties);
-  Prominence result = {prominence_of_barrier(b.length, curve.length), b.end, {}, 0, std::move(b.strip), b.vertex};
+  Prominence result = {prominence_of_barrier(b.length, length), b.end, {}, 0, {}, b.vertex};
   if(b.end == Barrier_end::CURVE)
   {
     result.arcs = search.tightener().arcs(b.curve);
     result.length = search.tightener().length(b.curve);
+    result.path = path_inside(search.tightener().surface(), b.strip);
   }
   return result;
 }
 
-// Measures the prominences of curves of a surface, several at a time. Each depends on the surface and its curve alone.
-class Prominence_meter
+// The prominence of one curve, up to a greatest value.
+inline Prominence prominence(Barrier_search& search, const Measured_curve& curve, double greatest)
 {
-public:
-  // Linear in the size of the mesh.
-  explicit Prominence_meter(const Progressive_mesh& pm) : m_pm(pm), m_lengths(pm), m_angles(pm) {}
-
-  // Of curves, in their order, up to a greatest value. Cost: that of `Barrier_search::search()` for each.
-  template <class ConcurrencyTag>
-  std::vector<Prominence> measure(const std::vector<Measured_curve>& curves, double greatest)
-  {
-    // a search takes memory in proportion to the mesh, and time to make, so they are few, and kept
-    auto groups = make_groups<std::vector<Prominence>>(
-        curves.size(), (std::max)((curves.size() + most_searches - 1) / most_searches, least_group_size));
-    m_searches.resize((std::max)(m_searches.size(), groups.size()));
-    CGAL::for_each<ConcurrencyTag>(groups, [&](Group<std::vector<Prominence>>& group) {
-      std::optional<Barrier_search>& search = m_searches[static_cast<std::size_t>(&group - groups.data())];
-      if(!search)
-        search.emplace(m_pm, m_lengths, m_angles);
-      for(std::size_t i = group.begin; i < group.end; ++i)
-        group.result.push_back(prominence(*search, curves[i], greatest));
-      return true;
-    });
-    std::vector<Prominence> result;
-    for(Group<std::vector<Prominence>>& group : groups)
-      std::move(group.result.begin(), group.result.end(), std::back_inserter(result));
-    return result;
-  }
-
-private:
-  static constexpr std::size_t most_searches = 4, least_group_size = 16;
-
-  const Progressive_mesh& m_pm;
-  Edge_lengths m_lengths;
-  Corner_angles m_angles;
-  std::deque<std::optional<Barrier_search>> m_searches;
-};
+  return prominence_from(
+      search, search.search(curve.arcs, curve.trace, curve.separates, (1 + greatest) * curve.length, curve.with_ties),
+      curve.length);
+}
 
 } // namespace internal
 } // namespace Surface_mesh_constrictions

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_MEASURING_LEVEL_H
+#define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_MEASURING_LEVEL_H
+
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Level_copy.h>
+
+#include <cstddef>
+#include <deque>
+
+namespace CGAL {
+namespace Surface_mesh_constrictions {
+namespace internal {
+
+// A coarser level of a surface, on which the prominences of curves are measured that it holds as the input does.
+struct Measuring_level
+{
+  Level_copy copy;
+  Edge_lengths lengths;
+  Corner_angles angles;
+
+  // Copies the current surface. Linear in T^0.
+  explicit Measuring_level(const Progressive_mesh& pm) : copy(pm), lengths(copy.surface()), angles(copy.surface()) {}
+};
+
+// The coarsest has so many vertices, the next this many times as many, and so on; the last less than a third of those
+// of the input, or there is little to be gained.
+constexpr std::size_t least_measuring_vertices = 8192, measuring_factor = 4;
+
+// The levels of a surface to measure on, the coarsest first; the surface is at level 0 before and after. Linear in T^0.
+inline std::deque<Measuring_level> measuring_levels(Progressive_mesh& pm)
+{
+  std::deque<Measuring_level> levels;
+  const std::size_t most = pm.number_of_vertices() / 3;
+  for(std::size_t vertices = least_measuring_vertices; vertices < most; vertices *= measuring_factor)
+  {
+    const std::size_t level = pm.level_with(vertices);
+    pm.go_to_level(level);
+    if(pm.number_of_vertices() < most)
+      levels.emplace_back(pm);
+  }
+  pm.go_to_level(0);
+  return levels;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_constrictions
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_MEASURING_LEVEL_H
