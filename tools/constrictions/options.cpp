@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include "output/mesh_as_text.h"
+#include "usage_error.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <iostream>
 #include <limits>
 #include <optional>
 #include <regex>
@@ -69,6 +71,22 @@ CLI::Validator greater_than_zero()
         return CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value)
                    ? ""
                    : "give a number that is greater than 0";
+      },
+      "");
+}
+
+// A whole number from `low` to `high`; without an end if that is the greatest.
+CLI::Validator whole_number(std::size_t low, std::size_t high = (std::numeric_limits<std::size_t>::max)())
+{
+  return CLI::Validator(
+      [low, high](const std::string& text) {
+        std::size_t value = 0;
+        const std::from_chars_result r = std::from_chars(text.data(), text.data() + text.size(), value);
+        if(r.ec == std::errc() && r.ptr == text.data() + text.size() && low <= value && value <= high)
+          return std::string();
+        return "give a whole number" + (high == (std::numeric_limits<std::size_t>::max)()
+                                            ? (low == 0 ? "" : " from " + std::to_string(low) + " on")
+                                            : " from " + std::to_string(low) + " to " + std::to_string(high));
       },
       "");
 }
@@ -151,7 +169,7 @@ void add_threads(CLI::App& command, Options& options)
                   "compute with N threads at most; without it, with as many as there are processors. The result is the "
                   "same")
       ->type_name("N")
-      ->check(CLI::PositiveNumber.description(""));
+      ->check(whole_number(1));
 }
 
 void add_certify_options(CLI::App& command, Options& options)
@@ -207,7 +225,7 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
       .add_option("--parts", options.segmentation.parts,
                   "cut into N parts at most, along the first curves of the table")
       ->type_name("N")
-      ->check(CLI::Range(std::size_t(1), (std::numeric_limits<std::size_t>::max)()).description(""));
+      ->check(whole_number(1));
   command
       .add_option(
           "--side", side,
@@ -254,7 +272,7 @@ void add_selection_options(CLI::App& command, Selection& selection)
       .add_option("--max", selection.maximum_number,
                   "report N at most, those with the greatest product of prominence and roundness, or the nearest")
       ->type_name("N")
-      ->check(not_negative);
+      ->check(whole_number(0));
   command
       .add_option("--min-prominence", selection.minimum_prominence,
                   "leave out curves that slide to a shorter one, or off, when they are made longer by less than this "
@@ -359,7 +377,7 @@ void add_batch_options(CLI::App& command, Options& options)
   command
       .add_option("-j", batch.limits.processes, "go through N meshes at a time; one for each processor if not given")
       ->type_name("N")
-      ->check(CLI::Range(1, 500).description(""));
+      ->check(whole_number(1, 500));
   command.add_option("--time-limit", batch.limits.seconds, "give up a mesh after this time; 3600 if not given")
       ->type_name("SECONDS")
       ->check(positive);
@@ -517,7 +535,10 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   }
   catch(const CLI::ParseError& e)
   {
-    return app.exit(e) == 0 ? 0 : 2;
+    if(e.get_exit_code() == 0) // help is no error
+      return app.exit(e);
+    std::cerr << "constrictions: " << usage_error_as_text(app, e) << std::endl;
+    return 2;
   }
   return std::nullopt;
 }

@@ -179,7 +179,8 @@ protected:
     const Result r = run(arguments);
     EXPECT_EQ(r.exit_code, 2);
     EXPECT_EQ(r.out, "");
-    EXPECT_NE(r.err, "");
+    EXPECT_EQ(r.err.rfind("constrictions: ", 0), 0u) << r.err;
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
     EXPECT_EQ(files(), before);
   }
 

@@ -461,7 +461,7 @@ TEST_F(Program, wrong_usage)
   for(const char* location :
       {"1,2", "a,b,c", "1,2,3,4", "1,,3", "1,2,", "'1;2;3'", "''", "1,2,nan", "inf,2,3", "1e999,2,3"})
     expect_wrong_usage(std::string("detect dumbbell.off --near ") + location);
-  EXPECT_EQ(run("detect dumbbell.off --near 1,2").err.rfind("--near: give three numbers", 0), 0u);
+  EXPECT_EQ(run("detect dumbbell.off --near 1,2").err.rfind("constrictions: --near: give three numbers", 0), 0u);
   expect_wrong_usage("detect dumbbell.off --near 1 2 3");
   expect_wrong_usage("detect dumbbell.off --near 1,2,3 --seeds triangles");
   // nothing is overwritten by mistake
