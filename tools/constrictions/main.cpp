@@ -23,6 +23,7 @@
 #include <iostream>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -124,13 +125,28 @@ void tighten(const Options& options, const Loops& loops, Stage_monitor& monitor,
 
 void write_parts(const Options& options, const Report& report, const Parts& parts)
 {
-  std::vector<Output_file> files = {{options.file_in_folder("parts.json"), parts_as_json(report, parts)},
-                                    {options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)},
+  // parts.json is the last, as it says which files of parts there are
+  std::vector<Output_file> files = {{options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)},
                                     {options.file_in_folder("parts.vtp"), mesh_as_vtp(parts.mesh, parts.part_of_face)}};
+  std::vector<std::string> names;
   for(std::size_t p = 0; p < parts.parts.size(); ++p)
-    files.push_back({options.file_in_folder(part_file_name(p)),
-                     mesh_as_ply(parts.parts[p].mesh, std::vector<std::size_t>(parts.parts[p].mesh.num_faces(), p))});
-  write_files(files);
+  {
+    names.push_back(part_file_name(p, parts.format));
+    try
+    {
+      files.push_back({options.file_in_folder(names.back()), part_as_file(parts, p)});
+    }
+    catch(const std::range_error& e)
+    {
+      throw Output_file_error(options.file_in_folder(names.back()), e.what());
+    }
+  }
+  files.push_back({options.file_in_folder("parts.json"), parts_as_json(report, parts)});
+  std::vector<std::string> obsolete;
+  for(const std::string& name : part_files_of_earlier_run(options.folder))
+    if(std::find(names.begin(), names.end(), name) == names.end())
+      obsolete.push_back(options.file_in_folder(name));
+  write_files(files, obsolete);
   if(!options.quiet)
     write_to_standard_output(parts_as_table(parts));
 }
@@ -202,6 +218,7 @@ void run(const Options& options)
   {
     const auto detected = std::chrono::steady_clock::now();
     Parts parts = segment_mesh(report.mesh, report.constrictions, options.segmentation);
+    parts.format = options.segmentation.format;
     parts.seconds = seconds_since(detected);
     report.seconds.total = seconds_since(begin);
     write_parts(options, report, parts);

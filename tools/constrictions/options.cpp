@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include "output/mesh_as_text.h"
+#include "output/parts.h"
 #include "usage_error.h"
 
 #include <CLI/CLI.hpp>
@@ -15,7 +16,6 @@
 #include <iostream>
 #include <limits>
 #include <optional>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -217,7 +217,8 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
       .add_option(
           "-o", options.folder,
           "write parts.ply and parts.vtp, the mesh with a colour and a patch number for each face, parts.json, and "
-          "for each part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing")
+          "for each part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing. "
+          "Files of parts that an earlier run has written there are removed")
       ->type_name("DIR")
       ->required()
       ->check(not_empty);
@@ -233,6 +234,12 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
           "of a ring")
       ->type_name("object|complement")
       ->check(CLI::IsMember({"object", "complement"}).description(""));
+  command
+      .add_option_function<std::string>(
+          "--format", [&options](const std::string& name) { options.segmentation.format = *part_format(name); },
+          "the format of the files of the parts, ply if not given; stl and glb have coordinates in single precision")
+      ->type_name("ply|stl|obj|glb")
+      ->check(CLI::IsMember(part_format_names()).description(""));
   command.add_flag("--open", options.segmentation.open, "do not close the holes of the parts");
   add_no_certify(command, options.search);
   command.add_flag("--quiet", options.quiet, "show no progress bar, and print no table");
@@ -332,8 +339,9 @@ bool is_part_file(const std::string& name, const std::string& folder)
 {
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
+  const std::string file = place.filename().string();
   return place.parent_path() == fs::weakly_canonical(fs::absolute(folder), error) &&
-         std::regex_match(place.filename().string(), std::regex("parts\\.(ply|json|vtp)|part_[0-9]+\\.ply"));
+         (file == "parts.ply" || file == "parts.json" || file == "parts.vtp" || is_part_file_name(file));
 }
 
 // Two whole numbers with a slash between them, 1 <= I <= N.

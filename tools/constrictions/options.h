@@ -5,6 +5,7 @@
 #include "batch/batch_input.h"
 #include "batch/process_pool.h"
 #include "input/mesh_file.h"
+#include "output/part_format.h"
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 
@@ -60,6 +61,7 @@ struct Segmentation
   std::optional<std::size_t> parts; ///< at most
   std::optional<CGAL::Surface_mesh_constrictions::Side> side;
   bool open = false; ///< without caps
+  Part_format format = Part_format::PLY;
 };
 
 /// Which meshes are gone through, and what each may use.
