@@ -7,6 +7,7 @@
 #include "options.h"
 #include "output/certificates.h"
 #include "output/check_report.h"
+#include "output/closing_words.h"
 #include "output/mesh_as_text.h"
 #include "output/output_file.h"
 #include "output/parts.h"
@@ -41,6 +42,9 @@ double seconds_since(std::chrono::steady_clock::time_point begin)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+// Whether somebody is there who reads what was written, and found.
+bool tells_results(const Options& options) { return !options.quiet && isatty(STDERR_FILENO) == 1; }
+
 // Before the long computation.
 void check_outputs(const Options& options)
 {
@@ -54,7 +58,7 @@ void check_outputs(const Options& options)
   if(!options.repaired.empty())
     check_writable(options.repaired);
   for(const std::vector<std::string>& files :
-      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files()})
+      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files(), options.csv_files()})
     for(const std::string& file : files)
       check_writable(file);
 }
@@ -72,11 +76,17 @@ void write_outputs(const Options& options, const Report& report)
     files.push_back({name, report_as_ply(report)});
   for(const std::string& name : options.vtp_files())
     files.push_back({name, report_as_vtp(report)});
+  for(const std::string& name : options.csv_files())
+    files.push_back({name, report_as_csv(report)});
   write_files(files);
+  if(!files.empty() && tells_results(options))
+    std::cerr << written_files_as_text(files) << result_as_text(report) << std::flush;
   if(options.prints_json())
     write_to_standard_output(json);
+  if(options.prints_csv())
+    write_to_standard_output(report_as_csv(report));
   if(options.prints_table())
-    write_to_standard_output(report_as_table(report));
+    write_to_standard_output(report_as_table(report, options.is_verbose));
 }
 
 void detect_by_policy(const Options& options, const Selection& selection, Stage_monitor& monitor, Report& report,
@@ -147,8 +157,10 @@ void write_parts(const Options& options, const Report& report, const Parts& part
     if(std::find(names.begin(), names.end(), name) == names.end())
       obsolete.push_back(options.file_in_folder(name));
   write_files(files, obsolete);
+  if(tells_results(options))
+    std::cerr << written_files_as_text(files) << std::flush;
   if(!options.quiet)
-    write_to_standard_output(parts_as_table(parts));
+    write_to_standard_output(parts_as_table(parts) + (report.hint.empty() ? "" : report.hint + '\n'));
 }
 
 // Of the curves of a page that are shown at first.
@@ -169,7 +181,11 @@ void write_page(const Options& options, const Report& report, Levels& levels)
 {
   const Parts parts = segment_mesh(report.mesh, report.constrictions, options.segmentation);
   const Playback playback = record_playback(report.mesh, report.constrictions, std::move(levels.value()));
-  write_files({{options.page, view_page(report, parts, playback, minimum_prominence(options))}});
+  const std::vector<Output_file> files = {
+      {options.page, view_page(report, parts, playback, minimum_prominence(options))}};
+  write_files(files);
+  if(tells_results(options))
+    std::cerr << written_files_as_text(files) << result_as_text(report) << std::flush;
 }
 
 // On one line, if there is anything to tell.
@@ -178,6 +194,16 @@ void tell_of_repairs(const std::string& mesh, const File_record& record)
   const std::string summary = summary_of(record.findings);
   if(!summary.empty())
     std::cerr << "constrictions: " << printable(mesh) << ": " << summary << std::endl;
+}
+
+// How to see what was found, if nothing of it is selected; else empty.
+std::string hint_at_all(const Options& options, const Report& report)
+{
+  const Selection& s = options.selection;
+  if(!report.constrictions.empty() || report.statistics.not_selected == 0 || s.all || s.maximum_number == 0)
+    return "";
+  return std::string("Closed geodesics were found but are not selected; --all shows them") +
+         (s.minimum_length || s.maximum_length ? ", if within the bounds of the length." : ".");
 }
 
 void run(const Options& options)
@@ -209,6 +235,7 @@ void run(const Options& options)
     report.seconds.select = monitor.seconds(Detection_stage::SELECTION);
   }
   tell_of_repairs(options.mesh, report.file);
+  report.hint = hint_at_all(options, report);
   if(options.command == Command::VIEW)
   {
     write_page(options, report, levels);

@@ -44,6 +44,8 @@ const char* const examples =
     "      writes result/constrictions.json, and the curves as polylines, PLY and VTP\n"
     "  constrictions detect hand.ply --near 1.5,0,-2 --max 1\n"
     "      prints the constriction nearest to a place: the loop around a finger\n"
+    "  constrictions detect bone.ply --max-length 30 --csv necks.csv\n"
+    "      writes a table, for spreadsheets, of the constrictions that are no longer than 30\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
     "  constrictions segment bone.ply -o parts --side object\n"
@@ -157,9 +159,17 @@ void add_common_options(CLI::App& command, Options& options)
       ->type_name("FILE")
       ->check(not_empty)
       ->check(not_dash);
+  command
+      .add_option("--csv", options.csv,
+                  "write a line for each curve, with what can be told in numbers and words; - prints them")
+      ->type_name("FILE|-")
+      ->check(not_empty);
   add_no_certify(command, options.search);
-  command.add_flag("--quiet", options.quiet, "show no progress bar");
-  command.footer("\nWithout -o, --json and --polylines a table is printed.\n");
+  command.add_flag("--quiet", options.quiet,
+                   "show no progress bar, and do not tell at the end what was written and found");
+  command.add_flag("--verbose", options.is_verbose,
+                   "in the table show also centroids, pivots, the level of the seed, and what became of the seeds");
+  command.footer("\nWithout -o, --json, --csv and --polylines a table is printed.\n");
 }
 
 void add_threads(CLI::App& command, Options& options)
@@ -258,7 +268,8 @@ void add_view_options(CLI::App& command, Options& options)
       ->required()
       ->check(not_empty);
   add_no_certify(command, options.search);
-  command.add_flag("--quiet", options.quiet, "show no progress bar");
+  command.add_flag("--quiet", options.quiet,
+                   "show no progress bar, and do not tell at the end what was written and found");
   command.footer(
       "\nA slider in the page shows more curves: weaker ones, down to a prominence of 0.01, or all with --all.\n");
 }
@@ -299,6 +310,17 @@ void add_selection_options(CLI::App& command, Selection& selection)
           "leave out curves that cut off too little: length^2 / (4 pi area) is greater than this; it is 0.5 for "
           "the equator of a sphere")
       ->type_name("R")
+      ->check(not_negative);
+  command
+      .add_option("--min-length", selection.minimum_length,
+                  "of the curves that are selected leave out those that are shorter than this, in the unit of the "
+                  "mesh; --max counts those that are left")
+      ->type_name("L")
+      ->check(not_negative);
+  command
+      .add_option("--max-length", selection.maximum_length,
+                  "of the curves that are selected leave out those that are longer than this")
+      ->type_name("L")
       ->check(not_negative);
 }
 
@@ -409,6 +431,13 @@ void add_batch_options(CLI::App& command, Options& options)
                  "reason.\nWithout -o the lines are printed. To have a mesh done again, delete its line.\n");
 }
 
+// Bounds between which there is nothing.
+void check_bounds(const Selection& selection)
+{
+  if(selection.minimum_length && selection.maximum_length && *selection.minimum_length > *selection.maximum_length)
+    throw CLI::ValidationError("--min-length", "is greater than --max-length: no curve can be as long as that");
+}
+
 // Files that would overwrite each other or the input are a mistake on the command line.
 void check_files(const Options& options)
 {
@@ -418,12 +447,14 @@ void check_files(const Options& options)
       names.push_back(name);
   const std::size_t inputs = names.size();
   for(const std::vector<std::string>& files :
-      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files()})
+      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files(), options.csv_files()})
     names.insert(names.end(), files.begin(), files.end());
   for(const std::string& name : {options.page, options.repaired})
     if(!name.empty())
       names.push_back(name);
 
+  if(options.prints_json() && options.prints_csv())
+    throw CLI::ValidationError("--csv", "--json writes to the standard output, too");
   if(options.command == Command::SEGMENT && is_part_file(options.mesh, options.folder))
     throw CLI::ValidationError(options.mesh, "the output could overwrite the input");
 
@@ -465,6 +496,11 @@ std::vector<std::string> Options::polylines_files() const
 std::vector<std::string> Options::ply_files() const { return files(*this, "constrictions.ply", ""); }
 
 std::vector<std::string> Options::vtp_files() const { return files(*this, "constrictions.vtp", ""); }
+
+std::vector<std::string> Options::csv_files() const
+{
+  return csv.empty() || prints_csv() ? std::vector<std::string>() : std::vector<std::string>{csv};
+}
 
 std::optional<int> parse_options(int argc, char** argv, Options& options)
 {
@@ -538,6 +574,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
     if(!side.empty())
       options.segmentation.side = side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
                                                    : CGAL::Surface_mesh_constrictions::Side::COMPLEMENT;
+    check_bounds(options.selection);
     if(options.command != Command::BATCH) // whose folder has files of other names
       check_files(options);
   }
