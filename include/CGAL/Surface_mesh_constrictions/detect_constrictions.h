@@ -166,8 +166,8 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///     \cgalParamDefault{0.25}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_curve_length}
-///     \cgalParamDescription{the length that a constriction has at least; of what is selected without it shorter ones are
-///                           left out: see `select_by_prominence()`}
+///     \cgalParamDescription{the length that a constriction has at least; of what is selected without it shorter
+///                           ones are left out: see `select_by_prominence()`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd

@@ -24,8 +24,8 @@ inline bool has_type(const json& value, const std::string& type)
          (type == "integer" && value.is_number_integer());
 }
 
-// Appends to `errors` what is wrong with a value, where, and also a member that the schema does not describe, and a word
-// of the schema that is not understood.
+// Appends to `errors` what is wrong with a value, and where; also a member that the schema does not describe, and a
+// word of the schema that is not understood.
 inline void validate(const json& schema, const json& value, const std::string& place, std::vector<std::string>& errors)
 {
   static const std::set<std::string> words = {
