@@ -184,8 +184,16 @@ void write_page(const Options& options, const Report& report, Levels& levels)
   const std::vector<Output_file> files = {
       {options.page, view_page(report, parts, playback, minimum_prominence(options))}};
   write_files(files);
-  if(tells_results(options))
-    std::cerr << written_files_as_text(files) << result_as_text(report) << std::flush;
+  if(!tells_results(options))
+    return;
+  std::cerr << written_files_as_text(files) << result_as_text(report);
+  const auto hidden =
+      std::count_if(report.constrictions.begin(), report.constrictions.end(),
+                    [&](const Constriction& c) { return c.prominence() < minimum_prominence(options); });
+  if(hidden > 0)
+    std::cerr << hidden << " of less prominence than " << minimum_prominence(options) << (hidden == 1 ? " is" : " are")
+              << " not shown at first\n";
+  std::cerr << std::flush;
 }
 
 // On one line, if there is anything to tell.
@@ -281,6 +289,8 @@ int certify(const Options& options)
   for(const std::string& name : options.json_files())
     files.push_back({name, json});
   write_files(files);
+  if(tells_results(options))
+    std::cerr << written_files_as_text(files) << std::flush;
   write_to_standard_output(options.prints_json() ? json : certificates_as_lines(certified));
 
   const auto failures = std::count_if(certified.begin(), certified.end(),
@@ -304,6 +314,8 @@ int check(const Options& options)
   if(!options.repaired.empty() && report.mesh.number_of_faces() > 0)
     files.push_back({options.repaired, mesh_as_text(report.mesh, options.repaired)});
   write_files(files);
+  if(tells_results(options))
+    std::cerr << written_files_as_text(files) << std::flush;
   write_to_standard_output(options.prints_json() ? json : check_as_text(report));
   return report.refusal.empty() ? 0 : 1;
 }

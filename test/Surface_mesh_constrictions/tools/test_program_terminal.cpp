@@ -102,9 +102,16 @@ TEST_F(Terminal, what_was_written_and_found_is_told)
   EXPECT_NE(several.err.find("written: a.json\n3 constrictions; the narrowest, number 1, is 0.283957 long, around "),
             std::string::npos)
       << several.err;
-  if(CONSTRICTIONS_HAS_VIEWER)
-    expect_at_the_end(run_in_terminal("view dumbbell.off -o dumbbell.html"),
-                      "written: dumbbell.html\n1 constriction, 4 long, around 3 1.5 1.5\n");
+  expect_at_the_end(run_in_terminal("check dumbbell.off -o checked.ply"), "written: checked.ply\n");
+  expect_at_the_end(run_in_terminal("certify dumbbell.off --curves results/constrictions.json --json c.json"),
+                    "written: c.json\n");
+  EXPECT_EQ(run_in_terminal("check dumbbell.off").err, "");
+  if(!CONSTRICTIONS_HAS_VIEWER)
+    return;
+  expect_at_the_end(run_in_terminal("view dumbbell.off -o dumbbell.html"),
+                    "written: dumbbell.html\n1 constriction, 4 long, around 3 1.5 1.5\n");
+  expect_at_the_end(run_in_terminal("view dumbbell.off -o dumbbell.html --min-prominence 100"),
+                    "1 constriction, 4 long, around 3 1.5 1.5\n1 of less prominence than 100 is not shown at first\n");
 }
 
 TEST_F(Terminal, loops_that_are_no_constrictions_are_told)
