@@ -50,7 +50,7 @@ for argument in "$@"; do
 done
 if "$for_tests"; then
   packages+=(doxygen libbenchmark-dev libeigen3-dev libgtest-dev libopenmesh-dev python3)
-  optional+=(parallel)
+  optional+=(parallel python3-jsonschema)
 fi
 
 is_installed() {

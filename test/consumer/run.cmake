@@ -15,6 +15,10 @@ endif()
 
 file(REMOVE_RECURSE "${WORK_DIR}")
 run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/prefix" --config "${BUILD_TYPE}")
+if(EXISTS "${WORK_DIR}/prefix/bin/constrictions" AND
+   NOT EXISTS "${WORK_DIR}/prefix/share/constrictions/constrictions-1.schema.json")
+  message(FATAL_ERROR "The program is installed without the schema of what it writes")
+endif()
 # Without Eigen, which users need not have, and without optimisation, which takes longer to compile.
 run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}" -B "${WORK_DIR}/build"
   -G "${CMAKE_GENERATOR}"

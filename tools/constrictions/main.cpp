@@ -7,6 +7,7 @@
 #include "options.h"
 #include "output/certificates.h"
 #include "output/check_report.h"
+#include "output/closing_words.h"
 #include "output/mesh_as_text.h"
 #include "output/output_file.h"
 #include "output/parts.h"
@@ -23,6 +24,7 @@
 #include <iostream>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +42,9 @@ double seconds_since(std::chrono::steady_clock::time_point begin)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+// Whether somebody is there who reads what was written, and found.
+bool tells_results(const Options& options) { return !options.quiet && isatty(STDERR_FILENO) == 1; }
+
 // Before the long computation.
 void check_outputs(const Options& options)
 {
@@ -53,7 +58,7 @@ void check_outputs(const Options& options)
   if(!options.repaired.empty())
     check_writable(options.repaired);
   for(const std::vector<std::string>& files :
-      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files()})
+      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files(), options.csv_files()})
     for(const std::string& file : files)
       check_writable(file);
 }
@@ -71,11 +76,17 @@ void write_outputs(const Options& options, const Report& report)
     files.push_back({name, report_as_ply(report)});
   for(const std::string& name : options.vtp_files())
     files.push_back({name, report_as_vtp(report)});
+  for(const std::string& name : options.csv_files())
+    files.push_back({name, report_as_csv(report)});
   write_files(files);
+  if(!files.empty() && tells_results(options))
+    std::cerr << written_files_as_text(files) << result_as_text(report) << std::flush;
   if(options.prints_json())
     write_to_standard_output(json);
+  if(options.prints_csv())
+    write_to_standard_output(report_as_csv(report));
   if(options.prints_table())
-    write_to_standard_output(report_as_table(report));
+    write_to_standard_output(report_as_table(report, options.is_verbose));
 }
 
 void detect_by_policy(const Options& options, const Selection& selection, Stage_monitor& monitor, Report& report,
@@ -124,15 +135,32 @@ void tighten(const Options& options, const Loops& loops, Stage_monitor& monitor,
 
 void write_parts(const Options& options, const Report& report, const Parts& parts)
 {
-  std::vector<Output_file> files = {{options.file_in_folder("parts.json"), parts_as_json(report, parts)},
-                                    {options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)},
+  // parts.json is the last, as it says which files of parts there are
+  std::vector<Output_file> files = {{options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)},
                                     {options.file_in_folder("parts.vtp"), mesh_as_vtp(parts.mesh, parts.part_of_face)}};
+  std::vector<std::string> names;
   for(std::size_t p = 0; p < parts.parts.size(); ++p)
-    files.push_back({options.file_in_folder(part_file_name(p)),
-                     mesh_as_ply(parts.parts[p].mesh, std::vector<std::size_t>(parts.parts[p].mesh.num_faces(), p))});
-  write_files(files);
+  {
+    names.push_back(part_file_name(p, parts.format));
+    try
+    {
+      files.push_back({options.file_in_folder(names.back()), part_as_file(parts, p)});
+    }
+    catch(const std::range_error& e)
+    {
+      throw Output_file_error(options.file_in_folder(names.back()), e.what());
+    }
+  }
+  files.push_back({options.file_in_folder("parts.json"), parts_as_json(report, parts)});
+  std::vector<std::string> obsolete;
+  for(const std::string& name : part_files_of_earlier_run(options.folder))
+    if(std::find(names.begin(), names.end(), name) == names.end())
+      obsolete.push_back(options.file_in_folder(name));
+  write_files(files, obsolete);
+  if(tells_results(options))
+    std::cerr << written_files_as_text(files) << std::flush;
   if(!options.quiet)
-    write_to_standard_output(parts_as_table(parts));
+    write_to_standard_output(parts_as_table(parts) + (report.hint.empty() ? "" : report.hint + '\n'));
 }
 
 // Of the curves of a page that are shown at first.
@@ -153,7 +181,19 @@ void write_page(const Options& options, const Report& report, Levels& levels)
 {
   const Parts parts = segment_mesh(report.mesh, report.constrictions, options.segmentation);
   const Playback playback = record_playback(report.mesh, report.constrictions, std::move(levels.value()));
-  write_files({{options.page, view_page(report, parts, playback, minimum_prominence(options))}});
+  const std::vector<Output_file> files = {
+      {options.page, view_page(report, parts, playback, minimum_prominence(options))}};
+  write_files(files);
+  if(!tells_results(options))
+    return;
+  std::cerr << written_files_as_text(files) << result_as_text(report);
+  const auto hidden =
+      std::count_if(report.constrictions.begin(), report.constrictions.end(),
+                    [&](const Constriction& c) { return c.prominence() < minimum_prominence(options); });
+  if(hidden > 0)
+    std::cerr << hidden << " of less prominence than " << minimum_prominence(options) << (hidden == 1 ? " is" : " are")
+              << " not shown at first\n";
+  std::cerr << std::flush;
 }
 
 // On one line, if there is anything to tell.
@@ -162,6 +202,16 @@ void tell_of_repairs(const std::string& mesh, const File_record& record)
   const std::string summary = summary_of(record.findings);
   if(!summary.empty())
     std::cerr << "constrictions: " << printable(mesh) << ": " << summary << std::endl;
+}
+
+// How to see what was found, if nothing of it is selected; else empty.
+std::string hint_at_all(const Options& options, const Report& report)
+{
+  const Selection& s = options.selection;
+  if(!report.constrictions.empty() || report.statistics.not_selected == 0 || s.all || s.maximum_number == 0)
+    return "";
+  return std::string("Closed geodesics were found but are not selected; --all shows them") +
+         (s.minimum_length || s.maximum_length ? ", if within the bounds of the length." : ".");
 }
 
 void run(const Options& options)
@@ -193,6 +243,7 @@ void run(const Options& options)
     report.seconds.select = monitor.seconds(Detection_stage::SELECTION);
   }
   tell_of_repairs(options.mesh, report.file);
+  report.hint = hint_at_all(options, report);
   if(options.command == Command::VIEW)
   {
     write_page(options, report, levels);
@@ -202,6 +253,7 @@ void run(const Options& options)
   {
     const auto detected = std::chrono::steady_clock::now();
     Parts parts = segment_mesh(report.mesh, report.constrictions, options.segmentation);
+    parts.format = options.segmentation.format;
     parts.seconds = seconds_since(detected);
     report.seconds.total = seconds_since(begin);
     write_parts(options, report, parts);
@@ -237,6 +289,8 @@ int certify(const Options& options)
   for(const std::string& name : options.json_files())
     files.push_back({name, json});
   write_files(files);
+  if(tells_results(options))
+    std::cerr << written_files_as_text(files) << std::flush;
   write_to_standard_output(options.prints_json() ? json : certificates_as_lines(certified));
 
   const auto failures = std::count_if(certified.begin(), certified.end(),
@@ -260,6 +314,8 @@ int check(const Options& options)
   if(!options.repaired.empty() && report.mesh.number_of_faces() > 0)
     files.push_back({options.repaired, mesh_as_text(report.mesh, options.repaired)});
   write_files(files);
+  if(tells_results(options))
+    std::cerr << written_files_as_text(files) << std::flush;
   write_to_standard_output(options.prints_json() ? json : check_as_text(report));
   return report.refusal.empty() ? 0 : 1;
 }

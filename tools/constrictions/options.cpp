@@ -2,6 +2,8 @@
 #include "options.h"
 
 #include "output/mesh_as_text.h"
+#include "output/parts.h"
+#include "usage_error.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,9 +13,9 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <iostream>
 #include <limits>
 #include <optional>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -42,6 +44,8 @@ const char* const examples =
     "      writes result/constrictions.json, and the curves as polylines, PLY and VTP\n"
     "  constrictions detect hand.ply --near 1.5,0,-2 --max 1\n"
     "      prints the constriction nearest to a place: the loop around a finger\n"
+    "  constrictions detect bone.ply --max-length 30 --csv necks.csv\n"
+    "      writes a table, for spreadsheets, of the constrictions that are no longer than 30\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
     "  constrictions segment bone.ply -o parts --side object\n"
@@ -69,6 +73,22 @@ CLI::Validator greater_than_zero()
         return CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value)
                    ? ""
                    : "give a number that is greater than 0";
+      },
+      "");
+}
+
+// A whole number from `low` to `high`; without an end if that is the greatest.
+CLI::Validator whole_number(std::size_t low, std::size_t high = (std::numeric_limits<std::size_t>::max)())
+{
+  return CLI::Validator(
+      [low, high](const std::string& text) {
+        std::size_t value = 0;
+        const std::from_chars_result r = std::from_chars(text.data(), text.data() + text.size(), value);
+        if(r.ec == std::errc() && r.ptr == text.data() + text.size() && low <= value && value <= high)
+          return std::string();
+        return "give a whole number" + (high == (std::numeric_limits<std::size_t>::max)()
+                                            ? (low == 0 ? "" : " from " + std::to_string(low) + " on")
+                                            : " from " + std::to_string(low) + " to " + std::to_string(high));
       },
       "");
 }
@@ -139,9 +159,17 @@ void add_common_options(CLI::App& command, Options& options)
       ->type_name("FILE")
       ->check(not_empty)
       ->check(not_dash);
+  command
+      .add_option("--csv", options.csv,
+                  "write a line for each curve, with what can be told in numbers and words; - prints them")
+      ->type_name("FILE|-")
+      ->check(not_empty);
   add_no_certify(command, options.search);
-  command.add_flag("--quiet", options.quiet, "show no progress bar");
-  command.footer("\nWithout -o, --json and --polylines a table is printed.\n");
+  command.add_flag("--quiet", options.quiet,
+                   "show no progress bar, and do not tell at the end what was written and found");
+  command.add_flag("--verbose", options.is_verbose,
+                   "in the table show also centroids, pivots, the level of the seed, and what became of the seeds");
+  command.footer("\nWithout -o, --json, --csv and --polylines a table is printed.\n");
 }
 
 void add_threads(CLI::App& command, Options& options)
@@ -151,7 +179,7 @@ void add_threads(CLI::App& command, Options& options)
                   "compute with N threads at most; without it, with as many as there are processors. The result is the "
                   "same")
       ->type_name("N")
-      ->check(CLI::PositiveNumber.description(""));
+      ->check(whole_number(1));
 }
 
 void add_certify_options(CLI::App& command, Options& options)
@@ -199,7 +227,8 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
       .add_option(
           "-o", options.folder,
           "write parts.ply and parts.vtp, the mesh with a colour and a patch number for each face, parts.json, and "
-          "for each part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing")
+          "for each part a closed mesh part_0.ply, part_1.ply ... into the folder DIR; it is created if missing. "
+          "Files of parts that an earlier run has written there are removed")
       ->type_name("DIR")
       ->required()
       ->check(not_empty);
@@ -207,7 +236,7 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
       .add_option("--parts", options.segmentation.parts,
                   "cut into N parts at most, along the first curves of the table")
       ->type_name("N")
-      ->check(CLI::Range(std::size_t(1), (std::numeric_limits<std::size_t>::max)()).description(""));
+      ->check(whole_number(1));
   command
       .add_option(
           "--side", side,
@@ -215,6 +244,12 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
           "of a ring")
       ->type_name("object|complement")
       ->check(CLI::IsMember({"object", "complement"}).description(""));
+  command
+      .add_option_function<std::string>(
+          "--format", [&options](const std::string& name) { options.segmentation.format = *part_format(name); },
+          "the format of the files of the parts, ply if not given; stl and glb have coordinates in single precision")
+      ->type_name("ply|stl|obj|glb")
+      ->check(CLI::IsMember(part_format_names()).description(""));
   command.add_flag("--open", options.segmentation.open, "do not close the holes of the parts");
   add_no_certify(command, options.search);
   command.add_flag("--quiet", options.quiet, "show no progress bar, and print no table");
@@ -233,7 +268,8 @@ void add_view_options(CLI::App& command, Options& options)
       ->required()
       ->check(not_empty);
   add_no_certify(command, options.search);
-  command.add_flag("--quiet", options.quiet, "show no progress bar");
+  command.add_flag("--quiet", options.quiet,
+                   "show no progress bar, and do not tell at the end what was written and found");
   command.footer(
       "\nA slider in the page shows more curves: weaker ones, down to a prominence of 0.01, or all with --all.\n");
 }
@@ -254,7 +290,7 @@ void add_selection_options(CLI::App& command, Selection& selection)
       .add_option("--max", selection.maximum_number,
                   "report N at most, those with the greatest product of prominence and roundness, or the nearest")
       ->type_name("N")
-      ->check(not_negative);
+      ->check(whole_number(0));
   command
       .add_option("--min-prominence", selection.minimum_prominence,
                   "leave out curves that slide to a shorter one, or off, when they are made longer by less than this "
@@ -274,6 +310,17 @@ void add_selection_options(CLI::App& command, Selection& selection)
           "leave out curves that cut off too little: length^2 / (4 pi area) is greater than this; it is 0.5 for "
           "the equator of a sphere")
       ->type_name("R")
+      ->check(not_negative);
+  command
+      .add_option("--min-length", selection.minimum_length,
+                  "of the curves that are selected leave out those that are shorter than this, in the unit of the "
+                  "mesh; --max counts those that are left")
+      ->type_name("L")
+      ->check(not_negative);
+  command
+      .add_option("--max-length", selection.maximum_length,
+                  "of the curves that are selected leave out those that are longer than this")
+      ->type_name("L")
       ->check(not_negative);
 }
 
@@ -314,8 +361,9 @@ bool is_part_file(const std::string& name, const std::string& folder)
 {
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
+  const std::string file = place.filename().string();
   return place.parent_path() == fs::weakly_canonical(fs::absolute(folder), error) &&
-         std::regex_match(place.filename().string(), std::regex("parts\\.(ply|json|vtp)|part_[0-9]+\\.ply"));
+         (file == "parts.ply" || file == "parts.json" || file == "parts.vtp" || is_part_file_name(file));
 }
 
 // Two whole numbers with a slash between them, 1 <= I <= N.
@@ -359,7 +407,7 @@ void add_batch_options(CLI::App& command, Options& options)
   command
       .add_option("-j", batch.limits.processes, "go through N meshes at a time; one for each processor if not given")
       ->type_name("N")
-      ->check(CLI::Range(1, 500).description(""));
+      ->check(whole_number(1, 500));
   command.add_option("--time-limit", batch.limits.seconds, "give up a mesh after this time; 3600 if not given")
       ->type_name("SECONDS")
       ->check(positive);
@@ -383,6 +431,13 @@ void add_batch_options(CLI::App& command, Options& options)
                  "reason.\nWithout -o the lines are printed. To have a mesh done again, delete its line.\n");
 }
 
+// Bounds between which there is nothing.
+void check_bounds(const Selection& selection)
+{
+  if(selection.minimum_length && selection.maximum_length && *selection.minimum_length > *selection.maximum_length)
+    throw CLI::ValidationError("--min-length", "is greater than --max-length: no curve can be as long as that");
+}
+
 // Files that would overwrite each other or the input are a mistake on the command line.
 void check_files(const Options& options)
 {
@@ -392,12 +447,14 @@ void check_files(const Options& options)
       names.push_back(name);
   const std::size_t inputs = names.size();
   for(const std::vector<std::string>& files :
-      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files()})
+      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files(), options.csv_files()})
     names.insert(names.end(), files.begin(), files.end());
   for(const std::string& name : {options.page, options.repaired})
     if(!name.empty())
       names.push_back(name);
 
+  if(options.prints_json() && options.prints_csv())
+    throw CLI::ValidationError("--csv", "--json writes to the standard output, too");
   if(options.command == Command::SEGMENT && is_part_file(options.mesh, options.folder))
     throw CLI::ValidationError(options.mesh, "the output could overwrite the input");
 
@@ -439,6 +496,11 @@ std::vector<std::string> Options::polylines_files() const
 std::vector<std::string> Options::ply_files() const { return files(*this, "constrictions.ply", ""); }
 
 std::vector<std::string> Options::vtp_files() const { return files(*this, "constrictions.vtp", ""); }
+
+std::vector<std::string> Options::csv_files() const
+{
+  return csv.empty() || prints_csv() ? std::vector<std::string>() : std::vector<std::string>{csv};
+}
 
 std::optional<int> parse_options(int argc, char** argv, Options& options)
 {
@@ -512,12 +574,16 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
     if(!side.empty())
       options.segmentation.side = side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
                                                    : CGAL::Surface_mesh_constrictions::Side::COMPLEMENT;
+    check_bounds(options.selection);
     if(options.command != Command::BATCH) // whose folder has files of other names
       check_files(options);
   }
   catch(const CLI::ParseError& e)
   {
-    return app.exit(e) == 0 ? 0 : 2;
+    if(e.get_exit_code() == 0) // help is no error
+      return app.exit(e);
+    std::cerr << "constrictions: " << usage_error_as_text(app, e) << std::endl;
+    return 2;
   }
   return std::nullopt;
 }

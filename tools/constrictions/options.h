@@ -5,6 +5,7 @@
 #include "batch/batch_input.h"
 #include "batch/process_pool.h"
 #include "input/mesh_file.h"
+#include "output/part_format.h"
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 
@@ -41,6 +42,8 @@ struct Selection
   std::optional<double> minimum_prominence;
   std::optional<double> minimum_isolation;
   std::optional<double> maximum_ratio;
+  std::optional<double> minimum_length;
+  std::optional<double> maximum_length;
   std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)();
   bool all = false;
   bool rims = false; ///< also those along the boundary of a hole
@@ -60,6 +63,7 @@ struct Segmentation
   std::optional<std::size_t> parts; ///< at most
   std::optional<CGAL::Surface_mesh_constrictions::Side> side;
   bool open = false; ///< without caps
+  Part_format format = Part_format::PLY;
 };
 
 /// Which meshes are gone through, and what each may use.
@@ -80,6 +84,7 @@ struct Options
   std::string folder;
   std::string json; ///< "-" is the standard output
   std::string polylines;
+  std::string csv; ///< "-" is the standard output
   std::string page;
   std::string repaired; ///< the mesh as repaired
   Reading reading;
@@ -90,14 +95,17 @@ struct Options
   std::optional<std::size_t> threads; ///< at most
   Batch batch;
   bool quiet = false;
+  bool is_verbose = false;
 
   bool prints_json() const { return json == "-"; }
-  bool prints_table() const { return folder.empty() && json.empty() && polylines.empty(); }
+  bool prints_csv() const { return csv == "-"; }
+  bool prints_table() const { return folder.empty() && json.empty() && polylines.empty() && csv.empty(); }
 
   std::vector<std::string> json_files() const;
   std::vector<std::string> polylines_files() const;
   std::vector<std::string> ply_files() const;
   std::vector<std::string> vtp_files() const;
+  std::vector<std::string> csv_files() const;
 
   /// the file of this name in the folder
   std::string file_in_folder(const std::string& name) const;

@@ -8,6 +8,7 @@
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -88,6 +89,8 @@ public:
     std::vector<Pivot> pivots;                                    ///< see `Constriction::pivots()`
     std::vector<Seed> seeds;                                      ///< see `Constriction::seeds()`
     double length = 0;                                            ///< see `Constriction::length()`
+    std::array<double, 3> centroid = {0, 0, 0};                   ///< see `Constriction::centroid()`
+    std::array<double, 3> normal = {0, 0, 0};                     ///< see `Constriction::normal()`
     double flat_band_width = 0;                                   ///< see `Constriction::flat_band_width()`
     bool separating = false;                                      ///< see `Constriction::is_separating()`
     std::vector<std::size_t> homology_class;                      ///< see `Constriction::homology_class()`
@@ -124,6 +127,20 @@ public:
 
   /// in the unit of the mesh's coordinates
   double length() const { return m_data->length; }
+
+  /// length / pi, in the unit of the mesh's coordinates: the diameter of the circle that is as long
+  double diameter() const { return m_data->length / CGAL_PI; }
+
+  /// the centroid of the curve, as of a wire that lies along it: the mean of its points by length, so that it does not
+  /// matter how many `locations()` are where. In the mesh's coordinates. Around a limb it is on its axis, not on the
+  /// surface.
+  const std::array<double, 3>& centroid() const { return m_data->centroid; }
+
+  /// the unit vector along the curve's area vector, half of the sum of the cross products of consecutive points: the
+  /// direction in which its shadow has the largest area, and from whose tip it is seen to run counterclockwise. It
+  /// is normal to the plane of a flat curve. (0, 0, 0) for a curve that encloses no area in any direction, as one that
+  /// runs along both sides of a sheet: whose area vector is no longer than 10^-12 times half of its squared length.
+  const std::array<double, 3>& normal() const { return m_data->normal; }
 
   /// the width of the flat band of parallel copies of which this is the canonical one; 0 if there is none
   double flat_band_width() const { return m_data->flat_band_width; }

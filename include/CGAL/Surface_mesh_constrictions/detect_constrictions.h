@@ -167,6 +167,17 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.25}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_curve_length}
+///     \cgalParamDescription{the length that a constriction has at least; of what is selected without it shorter
+///                           ones are left out: see `select_by_prominence()`}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_curve_length}
+///     \cgalParamDescription{the length that a constriction has at most, as above}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{no limit}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_constrictions}
 ///     \cgalParamDescription{how many constrictions are selected at most, those that rank highest}
 ///     \cgalParamType{`std::size_t`}

@@ -104,6 +104,16 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_isolation)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_isoperimetric_ratio)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// The length that a constriction has at least, to be written: of those that are selected shorter ones are left out,
+/// see `select_by_prominence()`. Type: `double`. Default: 0. Of the detections and the selections.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_curve_length)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// The length that a constriction has at most, to be written: of those that are selected longer ones are left out,
+/// see `select_by_prominence()`. Type: `double`. Default: no limit. Of the detections and the selections.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_curve_length)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// How many constrictions are selected at most, those that rank highest; near a location the nearest ones.
 /// Type: `std::size_t`. Default: no limit. Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_constrictions)

@@ -42,7 +42,8 @@ namespace internal {
 
 struct Selection_parameters
   : Known_parameters<internal_np::minimum_prominence_t, internal_np::minimum_isolation_t,
-                     internal_np::maximum_isoperimetric_ratio_t, internal_np::maximum_number_of_constrictions_t,
+                     internal_np::maximum_isoperimetric_ratio_t, internal_np::minimum_curve_length_t,
+                     internal_np::maximum_curve_length_t, internal_np::maximum_number_of_constrictions_t,
                      internal_np::crossing_constrictions_t, internal_np::rim_constrictions_t,
                      internal_np::all_constrictions_t>
 {};
@@ -97,8 +98,22 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.25}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_curve_length}
+///     \cgalParamDescription{the length that a constriction has at least, in the unit of the mesh's coordinates. The
+///                           bounds of the length are looked at last, when all else is decided: what is left is a part
+///                           of what is selected without them, also with `all_constrictions`, and no curve comes in
+///                           because one that it crosses, or lies beside, is of another length.}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_curve_length}
+///     \cgalParamDescription{the length that a constriction has at most, as above}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{no limit}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_constrictions}
-///     \cgalParamDescription{how many constrictions are selected at most, those that rank highest}
+///     \cgalParamDescription{how many constrictions are selected at most, those that rank highest of those whose
+///                           length is within the bounds}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
@@ -119,7 +134,8 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{all_constrictions}
-///     \cgalParamDescription{whether to select all, whatever their prominence, isoperimetric ratio and crossings}
+///     \cgalParamDescription{whether to select all, whatever their prominence, isoperimetric ratio and crossings; the
+///                           bounds of the length and of the number hold for them, too}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -156,6 +172,9 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
       choose_parameter(get_parameter(np, internal_np::minimum_isolation), default_minimum_isolation);
   const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                                 default_maximum_isoperimetric_ratio);
+  const double minimum_length = choose_parameter(get_parameter(np, internal_np::minimum_curve_length), 0.0);
+  const double maximum_length =
+      choose_parameter(get_parameter(np, internal_np::maximum_curve_length), std::numeric_limits<double>::infinity());
   const std::size_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number_of_constrictions),
                                                       (std::numeric_limits<std::size_t>::max)());
   const bool with_crossing = choose_parameter(get_parameter(np, internal_np::crossing_constrictions), false);
@@ -202,6 +221,11 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
     internal::remove_beside_others(given, is_selected, minimum_isolation, with_rims, selected);
   std::stable_sort(selected.begin(), selected.end(),
                    [&given](std::size_t i, std::size_t j) { return internal::ranks_before(given[i], given[j]); });
+  selected.erase(std::remove_if(selected.begin(), selected.end(),
+                                [&](std::size_t i) {
+                                  return given[i].length() < minimum_length || given[i].length() > maximum_length;
+                                }),
+                 selected.end());
   selected.resize((std::min)(selected.size(), maximum_number));
   for(const Result& c : internal::reordered(given, selected, selected.size()))
     *out++ = c;

@@ -13,8 +13,10 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -157,6 +159,31 @@ protected:
     return result;
   }
 
+  // As above, but the standard error output is a terminal.
+  Result run_in_terminal(const std::string& arguments) const
+  {
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    EXPECT_TRUE(terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0);
+    const std::string name = ptsname(terminal);
+    const int other_end = open(name.c_str(), O_RDWR | O_NOCTTY); // without one that is open reading fails
+    std::string shown;
+    std::thread reader([&] {
+      char c;
+      while(read(terminal, &c, 1) == 1)
+        if(c != '\r')
+          shown += c;
+    });
+    const std::string command = "cd '" + folder.string() + "' && '" CONSTRICTIONS_PROGRAM "' " + arguments +
+                                " > stdout.txt 2> " + name + " < /dev/null";
+    const int status = std::system(command.c_str());
+    close(other_end);
+    reader.join();
+    close(terminal);
+    const Result result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, content("stdout.txt"), shown};
+    fs::remove(folder / "stdout.txt");
+    return result;
+  }
+
   // The program ends with this code, one line on the standard error output that holds `parts`, and leaves no file.
   void expect_failure(int exit_code, const std::string& arguments, const std::vector<std::string>& parts) const
   {
@@ -179,7 +206,8 @@ protected:
     const Result r = run(arguments);
     EXPECT_EQ(r.exit_code, 2);
     EXPECT_EQ(r.out, "");
-    EXPECT_NE(r.err, "");
+    EXPECT_EQ(r.err.rfind("constrictions: ", 0), 0u) << r.err;
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
     EXPECT_EQ(files(), before);
   }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -164,6 +165,66 @@ TEST(Selection, RoundOnesComeBeforeThoseThatLieAslant)
   SMC::select_by_prominence(given, std::back_inserter(selected));
   ASSERT_EQ(selected.size(), 3u);
   EXPECT_EQ(selected[0].length(), 1); // those of the same rank in their former order
+}
+
+TEST(Selection, BoundsOfTheLengthAreLookedAtLast)
+{
+  // 0 is crossed by 1; 2 slides to 3, which slides to 0
+  std::vector<Constriction> given;
+  const auto add = [&given](double length, const Constriction& c) {
+    Constriction::Data data = c.data();
+    data.length = length;
+    data.isolation = std::numeric_limits<double>::infinity();
+    given.push_back(Constriction(data));
+  };
+  add(2, figures(0.9));
+  add(4, figures(0.8, 0.1, {}, {0}));
+  add(6, figures(0.7, 0.1, {3}));
+  add(5, figures(0.6, 0.1, {0}));
+  add(8, figures(0.01));
+  EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{0.9, 0.7, 0.6}));
+  EXPECT_EQ(select(given, params::minimum_curve_length(5.)), (Doubles{0.7, 0.6})); // not 0.8 instead of 0.9
+  EXPECT_EQ(select(given, params::maximum_curve_length(5.)), (Doubles{0.9, 0.6}));
+  EXPECT_EQ(select(given, params::minimum_curve_length(3.).maximum_curve_length(4.)), Doubles());
+  EXPECT_EQ(select(given, params::minimum_curve_length(5.).maximum_number_of_constrictions(std::size_t(1))),
+            (Doubles{0.7}));
+  EXPECT_EQ(select(given, params::minimum_curve_length(4.).all_constrictions(true)), (Doubles{0.8, 0.7, 0.6, 0.01}));
+  EXPECT_EQ(select(given, params::minimum_curve_length(5.).maximum_curve_length(4.)), Doubles());
+
+  // what dominates a curve is passed over if it is left out
+  std::vector<Constriction> selected;
+  SMC::select_by_prominence(given, std::back_inserter(selected),
+                            params::minimum_curve_length(5.5).crossing_constrictions(true));
+  ASSERT_EQ(selected.size(), 1u);
+  EXPECT_FALSE(selected[0].dominated_by());
+  selected.clear();
+  SMC::select_by_prominence(given, std::back_inserter(selected), params::minimum_curve_length(5.));
+  ASSERT_EQ(selected.size(), 2u);
+  EXPECT_EQ(selected[0].dominated_by(), std::optional<std::size_t>(1));
+}
+
+// Lengths that no bound meets exactly divide the result in two.
+TEST(Selection, TheShorterAndTheLongerOnesTogetherAreAll)
+{
+  const Mesh mesh = read("homer.off");
+  const auto lengths = [&mesh](const auto& np) {
+    std::vector<Constriction> selected;
+    SMC::detect_constrictions(mesh, std::back_inserter(selected), np);
+    Doubles result;
+    for(const Constriction& c : selected)
+      result.push_back(c.length());
+    return result;
+  };
+  const Doubles all = lengths(params::certify(false));
+  ASSERT_GT(all.size(), 3u);
+  Doubles sorted = all;
+  std::sort(sorted.begin(), sorted.end());
+  const double middle = (sorted[1] + sorted[2]) / 2;
+  Doubles shorter, longer;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(shorter), [=](double l) { return l < middle; });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(longer), [=](double l) { return l > middle; });
+  EXPECT_EQ(lengths(params::certify(false).maximum_curve_length(middle)), shorter);
+  EXPECT_EQ(lengths(params::certify(false).minimum_curve_length(middle)), longer);
 }
 
 // A sash from a shoulder to under the other arm and its mirror image are as firm, and there is nothing to prefer one.

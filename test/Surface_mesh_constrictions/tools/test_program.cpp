@@ -38,10 +38,44 @@ TEST_F(Program, detect_prints_a_table)
   const Result r = run("detect dumbbell.off");
   EXPECT_EQ(r.exit_code, 0);
   EXPECT_EQ(r.err, ""); // no progress bar where no terminal is
-  for(const char* word : {"id", "length", "prominence", "roundness", "pivots", "separating", "side", "certificate",
-                          "seed level", "object", "not strict"})
+  for(const char* word : {"id", "length", "diameter", "prominence", "roundness", "separating", "side", "certificate",
+                          "object", "not strict"})
     EXPECT_NE(r.out.find(word), std::string::npos) << word;
   EXPECT_NE(r.out.find("1 constriction from"), std::string::npos) << r.out;
+}
+
+TEST_F(Program, a_verbose_table_has_also_what_belongs_to_the_search)
+{
+  const Result r = run("detect dumbbell.off --verbose");
+  EXPECT_EQ(r.exit_code, 0);
+  EXPECT_EQ(r.err, "");
+  for(const char* word :
+      {"id", "length", "diameter", "prominence", "roundness", "pivots", "separating", "side", "certificate",
+       "seed level", "centroid", "object", "not strict", " 1.5 1.5\n", " degenerate, ", " not selected)"})
+    EXPECT_NE(r.out.find(word), std::string::npos) << word << " in\n" << r.out;
+  EXPECT_NE(r.out.find("1 constriction from"), std::string::npos) << r.out;
+}
+
+// Also with numbers that are written with an exponent, and more than a thousand curves.
+TEST_F(Program, a_table_is_no_wider_than_a_terminal)
+{
+  const double huge = 123456789e30, tiny = 1.23456789e-30;
+  write("large.off", dumbbell().off([=](const Grid_point& p) {
+    return std::array<double, 3>{huge * p[0], huge * p[1], huge * p[2]};
+  }));
+  write("small.off", dumbbell().off([=](const Grid_point& p) {
+    return std::array<double, 3>{tiny * p[0], tiny * p[1], tiny * p[2]};
+  }));
+  for(const char* arguments :
+      {"dumbbell.off --all", "large.off --all", "small.off --all",
+       "'" CONSTRICTIONS_MESH_DIR "/eight.off' --all --no-certify", "'" CONSTRICTIONS_MESH_DIR "/eight.off'"})
+  {
+    std::istringstream lines(run(std::string("detect ") + arguments).out);
+    std::size_t n = 0;
+    for(std::string line; std::getline(lines, line); ++n)
+      EXPECT_LE(line.size(), 80u) << line;
+    EXPECT_GT(n, 3u);
+  }
 }
 
 // Two digital balls joined by a digital cylinder, as a segmented image gives them. The neck goes around the convex hull
@@ -120,9 +154,12 @@ TEST_F(Program, detect_prints_json_only)
 
   ASSERT_EQ(j["constrictions"].size(), 1u);
   const auto& c = j["constrictions"][0];
-  EXPECT_EQ(keys(c), (Keys{"id", "length", "points", "locations", "pivots", "certificate", "side", "separating",
-                           "areas", "genera", "isoperimetric_ratio", "roundness", "isolation", "prominence",
-                           "dominated_by", "slides_off", "rim", "boundary_share", "seed"}));
+  EXPECT_EQ(
+      keys(c),
+      (Keys{"id",           "length",     "points", "locations",           "pivots",    "certificate", "side",
+            "separating",   "areas",      "genera", "isoperimetric_ratio", "roundness", "isolation",   "prominence",
+            "dominated_by", "slides_off", "rim",    "boundary_share",      "centroid",  "diameter",    "normal",
+            "seed"}));
   EXPECT_EQ(c["id"], 0);
   EXPECT_DOUBLE_EQ(c["length"], 4);
   EXPECT_EQ(c["points"].size(), c["locations"].size());
@@ -132,6 +169,10 @@ TEST_F(Program, detect_prints_json_only)
   EXPECT_DOUBLE_EQ(c["areas"][0].get<double>() + c["areas"][1].get<double>(), 114);
   EXPECT_EQ(c["genera"], (std::vector<int>{0, 0}));
   EXPECT_NEAR(c["roundness"].get<double>(), std::atan(1.), 1e-12); // a square
+  EXPECT_DOUBLE_EQ(c["diameter"].get<double>(), 1 / std::atan(1.));
+  EXPECT_NEAR(c["centroid"][1].get<double>(), 1.5, 1e-12); // the axis of the tube
+  EXPECT_NEAR(c["centroid"][2].get<double>(), 1.5, 1e-12);
+  EXPECT_NEAR(std::abs(c["normal"][0].get<double>()), 1, 1e-12);
   EXPECT_GT(c["prominence"].get<double>(), 1);
   EXPECT_TRUE(c["dominated_by"].is_null());
   EXPECT_EQ(keys(c["seed"]), (Keys{"level", "vertices", "origin"}));
@@ -461,7 +502,7 @@ TEST_F(Program, wrong_usage)
   for(const char* location :
       {"1,2", "a,b,c", "1,2,3,4", "1,,3", "1,2,", "'1;2;3'", "''", "1,2,nan", "inf,2,3", "1e999,2,3"})
     expect_wrong_usage(std::string("detect dumbbell.off --near ") + location);
-  EXPECT_EQ(run("detect dumbbell.off --near 1,2").err.rfind("--near: give three numbers", 0), 0u);
+  EXPECT_EQ(run("detect dumbbell.off --near 1,2").err.rfind("constrictions: --near: give three numbers", 0), 0u);
   expect_wrong_usage("detect dumbbell.off --near 1 2 3");
   expect_wrong_usage("detect dumbbell.off --near 1,2,3 --seeds triangles");
   // nothing is overwritten by mistake

@@ -10,11 +10,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_program_segment {
@@ -26,6 +30,59 @@ using program_fixture::Program;
 using program_fixture::Result;
 
 const std::string cactus = "'" CONSTRICTIONS_MESH_DIR "/cactus.off'";
+
+// The mesh of a file of glTF 2.0 with one mesh, one primitive and one buffer.
+constrictions::Mesh read_glb(const std::string& file)
+{
+  const auto number = [&file](std::size_t at) {
+    std::uint32_t result = 0;
+    std::memcpy(&result, file.data() + at, 4);
+    return result;
+  };
+  EXPECT_EQ(file.substr(0, 4), "glTF");
+  EXPECT_EQ(number(4), 2u);
+  EXPECT_EQ(number(8), file.size());
+  const std::size_t size = number(12), binary = 20 + size;
+  EXPECT_EQ(file.substr(16, 4), "JSON");
+  EXPECT_EQ(size % 4, 0u);
+  EXPECT_EQ(file.substr(binary + 4, 4), std::string("BIN\0", 4));
+  EXPECT_EQ(binary + 8 + number(binary), file.size());
+  EXPECT_EQ(number(binary) % 4, 0u);
+  const json j = json::parse(file.substr(20, size));
+  EXPECT_EQ(j.at("asset").at("version"), "2.0");
+  EXPECT_EQ(j.at("nodes")[0].at("name").get<std::string>().rfind("part_", 0), 0u);
+  EXPECT_LE(j.at("buffers")[0].at("byteLength"), number(binary));
+  const json& primitive = j.at("meshes")[0].at("primitives")[0];
+  const auto begin_and_count = [&](const json& index, const char* type, int component) {
+    const json& accessor = j.at("accessors").at(index.get<std::size_t>());
+    const json& view = j.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
+    EXPECT_EQ(accessor.at("type"), type);
+    EXPECT_EQ(accessor.at("componentType"), component);
+    return std::make_pair(binary + 8 + view.value("byteOffset", std::size_t(0)),
+                          accessor.at("count").get<std::size_t>());
+  };
+  constrictions::Mesh mesh;
+  const auto [points, n] = begin_and_count(primitive.at("attributes").at("POSITION"), "VEC3", 5126);
+  const json& accessor = j.at("accessors").at(primitive.at("attributes").at("POSITION").get<std::size_t>());
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    std::array<float, 3> p;
+    std::memcpy(p.data(), file.data() + points + 12 * i, 12);
+    for(std::size_t axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_GE(p[axis], accessor.at("min")[axis].get<float>());
+      EXPECT_LE(p[axis], accessor.at("max")[axis].get<float>());
+    }
+    mesh.add_vertex(constrictions::Point(p[0], p[1], p[2]));
+  }
+  const auto [corners, m] = begin_and_count(primitive.at("indices"), "SCALAR", 5125);
+  for(std::size_t i = 0; i < m; i += 3)
+    mesh.add_face(constrictions::Mesh::Vertex_index(number(corners + 4 * i)),
+                  constrictions::Mesh::Vertex_index(number(corners + 4 * i + 4)),
+                  constrictions::Mesh::Vertex_index(number(corners + 4 * i + 8)));
+  EXPECT_EQ(mesh.number_of_faces(), m / 3);
+  return mesh;
+}
 
 class Segment : public Program
 {
@@ -168,6 +225,124 @@ TEST_F(Segment, cactus)
   }
 }
 
+// The same parts in each format, which the program reads, or a reader of our own.
+TEST_F(Segment, formats)
+{
+  const json ply = segment(cactus);
+  std::vector<double> volumes;
+  for(const json& p : ply.at("parts"))
+    volumes.push_back(p.at("volume"));
+  for(const std::string format : {"stl", "obj", "glb"})
+  {
+    SCOPED_TRACE(format);
+    ASSERT_EQ(run("segment " + cactus + " -o parts --quiet --format " + format).exit_code, 0);
+    const json j = json::parse(content("parts/parts.json"));
+    ASSERT_EQ(j.at("parts").size(), volumes.size());
+    std::set<fs::path> expected = {"parts.json", "parts.ply", "parts.vtp"}, found;
+    for(std::size_t p = 0; p < volumes.size(); ++p)
+    {
+      const std::string file = "part_" + std::to_string(p) + '.' + format;
+      EXPECT_EQ(j.at("parts")[p].at("file"), file);
+      expected.insert(file);
+      const constrictions::Mesh part = format == "glb"
+                                           ? read_glb(content("parts/" + file))
+                                           : constrictions::read_mesh_file((folder / "parts" / file).string());
+      const double tolerance = format == "obj" ? 1e-12 : 1e-6;
+      EXPECT_NEAR(PMP::volume(part), volumes[p], tolerance);
+      EXPECT_TRUE(CGAL::is_closed(part));
+    }
+    for(const fs::directory_entry& entry : fs::directory_iterator(folder / "parts"))
+      found.insert(entry.path().filename());
+    EXPECT_EQ(found, expected);
+  }
+  EXPECT_EQ(content("parts/part_0.glb").substr(0, 4), "glTF");
+}
+
+TEST_F(Segment, obj_files_name_their_part)
+{
+  ASSERT_EQ(run("segment dumbbell.off -o parts --quiet --format obj").exit_code, 0);
+  EXPECT_EQ(content("parts/part_1.obj").rfind("o part_1\nv ", 0), 0u);
+}
+
+TEST_F(Segment, an_stl_file_is_no_text)
+{
+  ASSERT_EQ(run("segment dumbbell.off -o parts --quiet --format stl --open").exit_code, 0);
+  const std::string stl = content("parts/part_0.stl");
+  EXPECT_NE(stl.substr(0, 5), "solid");
+  std::uint32_t n = 0;
+  std::memcpy(&n, stl.data() + 80, 4);
+  EXPECT_EQ(stl.size(), 84 + 50 * std::size_t(n));
+  for(std::size_t f = 0; f < n; ++f)
+  {
+    float normal[3];
+    std::memcpy(normal, stl.data() + 84 + 50 * f, 12);
+    EXPECT_EQ(std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2]), 1);
+  }
+}
+
+// Single precision has less room for exponents, too.
+TEST_F(Segment, what_does_not_fit_into_a_format_is_refused)
+{
+  const double huge = 1e200;
+  write("huge.off", program_fixture::dumbbell().off([=](const program_fixture::Grid_point& p) {
+    return std::array<double, 3>{huge * p[0], huge * p[1], huge * p[2]};
+  }));
+  fs::create_directory(folder / "parts");
+  for(const char* format : {"stl", "glb"})
+    expect_failure(3, std::string("segment huge.off -o parts --format ") + format,
+                   {"parts/part_0." + std::string(format) + ": ", "too large"});
+  EXPECT_EQ(run("segment huge.off -o parts --quiet --format obj").exit_code, 0);
+}
+
+TEST_F(Segment, files_of_parts_that_are_no_more_are_removed)
+{
+  const auto names = [this] {
+    std::set<std::string> result;
+    for(const fs::directory_entry& entry : fs::directory_iterator(folder / "parts"))
+      result.insert(entry.path().filename().string());
+    return result;
+  };
+  ASSERT_EQ(run("segment " + cactus + " -o parts --quiet").exit_code, 0);
+  ASSERT_EQ(names().count("part_3.ply"), 1u);
+  // of others, with names that are like those of parts
+  write("parts/part_7.ply", "mine");
+  write("parts/part_2.stl", "mine");
+  ASSERT_EQ(run("segment " + cactus + " -o parts --quiet --parts 2").exit_code, 0);
+  const std::set<std::string> others = {"part_7.ply", "part_2.stl", "parts.json", "parts.ply", "parts.vtp"};
+  std::set<std::string> expected = others;
+  expected.insert({"part_0.ply", "part_1.ply"});
+  EXPECT_EQ(names(), expected);
+  // in another format
+  ASSERT_EQ(run("segment " + cactus + " -o parts --quiet --parts 2 --format obj").exit_code, 0);
+  expected = others;
+  expected.insert({"part_0.obj", "part_1.obj"});
+  EXPECT_EQ(names(), expected);
+  EXPECT_EQ(content("parts/part_7.ply") + content("parts/part_2.stl"), "minemine");
+
+  // names of nothing else are believed, and what is already gone does not matter
+  write("kept.txt", "mine");
+  write("parts/parts.json", R"({"format": "constrictions-parts/1", "parts": [{"file": "../kept.txt"}, {"file": 1}, 2,
+                                {"file": "part_7.ply/../../kept.txt"}, {"file": "part_9.ply"}, {"file": "parts.ply"}]})");
+  ASSERT_EQ(run("segment " + cactus + " -o parts --quiet --parts 2 --format obj").exit_code, 0);
+  EXPECT_EQ(names(), expected);
+  EXPECT_EQ(content("kept.txt"), "mine");
+  for(const char* text : {"", "[]", "{\"format\": 1}", "{\"format\": \"constrictions-parts/1\", \"parts\": 3}"})
+  {
+    write("parts/parts.json", text);
+    EXPECT_EQ(run("segment " + cactus + " -o parts --quiet --parts 2 --format obj").exit_code, 0) << text;
+  }
+  EXPECT_EQ(names(), expected);
+}
+
+TEST_F(Segment, what_fails_removes_nothing)
+{
+  ASSERT_EQ(run("segment " + cactus + " -o parts --quiet").exit_code, 0);
+  fs::create_directory(folder / "parts/part_0.stl");
+  const std::set<fs::path> before = files();
+  EXPECT_EQ(run("segment " + cactus + " -o parts --quiet --format stl").exit_code, 3);
+  EXPECT_EQ(files(), before);
+}
+
 TEST_F(Segment, quiet)
 {
   const Result r = run("segment dumbbell.off -o parts --quiet");
@@ -181,7 +356,8 @@ TEST_F(Segment, wrong_usage)
       {"segment dumbbell.off", "segment -o parts", "segment dumbbell.off -o parts --parts 0",
        "segment dumbbell.off -o parts --side mixed", "segment dumbbell.off -o parts --json parts.json"})
     expect_wrong_usage(arguments);
-  for(const char* name : {"parts.ply", "parts.vtp", "part_0.ply", "part_12.ply"})
+  expect_wrong_usage("segment dumbbell.off -o parts --format dae");
+  for(const char* name : {"parts.ply", "parts.vtp", "part_0.ply", "part_12.ply", "part_3.stl", "part_4.obj"})
   {
     write(name, program_fixture::tetrahedron);
     expect_wrong_usage(std::string("segment ") + name + " -o .");

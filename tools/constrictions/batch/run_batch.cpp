@@ -76,7 +76,9 @@ nlohmann::ordered_json settings(const Options& options)
                                    {"max", nullptr},
                                    {"min-prominence", or_null(s.minimum_prominence)},
                                    {"min-isolation", or_null(s.minimum_isolation)},
-                                   {"max-ratio", or_null(s.maximum_ratio)}};
+                                   {"max-ratio", or_null(s.maximum_ratio)},
+                                   {"min-length", or_null(s.minimum_length)},
+                                   {"max-length", or_null(s.maximum_length)}};
   if(s.maximum_number != Selection().maximum_number)
     result["max"] = s.maximum_number;
   return result;

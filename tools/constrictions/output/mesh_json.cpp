@@ -51,4 +51,24 @@ const char* side_name(CGAL::Surface_mesh_constrictions::Side side)
   return side == Side::OBJECT ? "object" : side == Side::COMPLEMENT ? "complement" : "mixed";
 }
 
+const char* origin_name(CGAL::Surface_mesh_constrictions::Seed_origin origin)
+{
+  using CGAL::Surface_mesh_constrictions::Seed_origin;
+  switch(origin)
+  {
+  case Seed_origin::NON_FACE_TRIANGLE:
+    return "non_face_triangle";
+  case Seed_origin::CUT_LOCUS:
+    return "cut_locus";
+  case Seed_origin::SECTION:
+    return "section";
+  case Seed_origin::BARRIER:
+    return "barrier";
+  case Seed_origin::BOUNDARY:
+    return "boundary";
+  default:
+    return "user";
+  }
+}
+
 } // namespace constrictions

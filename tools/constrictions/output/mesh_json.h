@@ -5,6 +5,7 @@
 #include "input/mesh_file.h"
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 
 #include <nlohmann/json.hpp>
 
@@ -20,6 +21,9 @@ nlohmann::ordered_json repairs_as_json(const Mesh_findings& findings);
 
 /// the name of a side, in JSON and in tables
 const char* side_name(CGAL::Surface_mesh_constrictions::Side side);
+
+/// the name of a kind of seed, in JSON and in tables
+const char* origin_name(CGAL::Surface_mesh_constrictions::Seed_origin origin);
 
 } // namespace constrictions
 

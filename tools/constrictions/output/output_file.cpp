@@ -4,6 +4,7 @@
 #include "input/input_file.h"
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -96,6 +97,17 @@ void write_directly(const Output_file& file)
     throw Output_file_error(file.name, "cannot be written: " + error_text(errno));
 }
 
+// If it is there.
+void remove_file(const std::string& name)
+{
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(name, error);
+  if(!fs::is_regular_file(status) && !fs::is_symlink(status))
+    return;
+  if(!fs::remove(name, error) && error)
+    throw Output_file_error(name, "is of an earlier run and cannot be removed: " + error.message());
+}
+
 } // namespace
 
 Output_file_error::Output_file_error(const std::string& file, const std::string& reason)
@@ -122,7 +134,7 @@ void check_writable(const std::string& name)
     Temporary_file{name};
 }
 
-void write_files(const std::vector<Output_file>& files)
+void write_files(const std::vector<Output_file>& files, const std::vector<std::string>& obsolete)
 {
   std::vector<Temporary_file> written;
   for(const Output_file& file : files)
@@ -133,8 +145,12 @@ void write_files(const std::vector<Output_file>& files)
       written.emplace_back(file.name);
       written.back().write(file.content);
     }
-  for(Temporary_file& file : written)
-    file.rename();
+  for(std::size_t i = 0; i + 1 < written.size(); ++i)
+    written[i].rename();
+  for(const std::string& name : obsolete)
+    remove_file(name);
+  if(!written.empty())
+    written.back().rename();
 }
 
 void write_to_standard_output(const std::string& content)

@@ -29,7 +29,9 @@ void check_writable(const std::string& name);
 
 /// writes the files beside their places first and renames them when all are complete, so that none is ever seen half
 /// written. What is no ordinary file, a pipe or a device, is written to directly. Throws `Output_file_error`.
-void write_files(const std::vector<Output_file>& files);
+/// \param obsolete files that are removed, where they are, when all are complete and before the last is renamed: so
+///   that one may say which the others are.
+void write_files(const std::vector<Output_file>& files, const std::vector<std::string>& obsolete = {});
 
 /// writes to the standard output. Throws `Output_file_error`.
 void write_to_standard_output(const std::string& content);

@@ -3,6 +3,7 @@
 #define CONSTRICTIONS_PARTS_H
 
 #include "input/mesh_file.h"
+#include "output/part_format.h"
 #include "output/report.h"
 
 #include <CGAL/Surface_mesh_constrictions/Surface_part.h>
@@ -44,10 +45,23 @@ struct Parts
   std::vector<CGAL::Surface_mesh_constrictions::Part_adjacency> adjacencies;
   std::vector<CGAL::Surface_mesh_constrictions::Cut_outcome> outcomes; ///< one for each constriction of the report
   double seconds = 0;
+  Part_format format = Part_format::PLY; ///< of the files of the parts
 };
 
 /// the name of the file of a part
-std::string part_file_name(std::size_t part);
+std::string part_file_name(std::size_t part, Part_format format);
+
+/// whether `part_file_name()` gives this name, for some part and format
+bool is_part_file_name(const std::string& name);
+
+/// the names of the files of parts in a folder that an earlier run has written there, as its parts.json says. Empty if
+/// there is no such file, or it cannot be understood. The files need not be there any more.
+std::vector<std::string> part_files_of_earlier_run(const std::string& folder);
+
+/// the content of the file of a part: a mesh in the format of the parts, in the colour of the part. In STL, which is
+/// binary, and in GLB coordinates are rounded to single precision; throws `std::range_error` if they are too large for
+/// that. In OBJ it is an object `part_N`, in GLB a node of that name.
+std::string part_as_file(const Parts& parts, std::size_t part);
 
 /// the parts in the format "constrictions-parts/1", in one line
 std::string parts_as_json(const Report& report, const Parts& parts);

@@ -56,7 +56,7 @@ std::string parts_as_json(const Report& report, const Parts& parts)
   Json part_list = Json::array(), adjacencies = Json::array(), curves = Json::array();
   for(std::size_t p = 0; p < parts.parts.size(); ++p)
     part_list.push_back({{"id", p},
-                         {"file", part_file_name(p)},
+                         {"file", part_file_name(p, parts.format)},
                          {"area", parts.parts[p].area},
                          {"volume", parts.parts[p].volume},
                          {"genus", parts.parts[p].genus},

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace constrictions {
-
-std::string part_file_name(std::size_t part) { return "part_" + std::to_string(part) + ".ply"; }
 
 std::string parts_as_table(const Parts& parts)
 {

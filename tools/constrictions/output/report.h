@@ -37,13 +37,19 @@ struct Report
   CGAL::Surface_mesh_constrictions::Detection_statistics statistics;
   Stage_seconds seconds;
   std::vector<std::string> remarks; ///< lines about loops of the user that are no constrictions
+  std::string hint;                 ///< a sentence that says how more is found, if nothing was; may be empty
 };
 
 /// the report in the format "constrictions/1", in one line
 std::string report_as_json(const Report& report);
 
-/// the report as a table for reading
-std::string report_as_table(const Report& report);
+/// the report as a table for reading, in lines of no more than 80 characters but for what has gone wrong
+/// \param is_verbose whether to show also the centroids and what belongs to the search, in lines as long as they get
+std::string report_as_table(const Report& report, bool is_verbose);
+
+/// the curves as comma-separated values, as RFC 4180 has them but for the ends of lines: a line with the names of the
+/// columns, which are those of the members in JSON, and a line for each curve. Numbers have all their digits.
+std::string report_as_csv(const Report& report);
 
 /// the curves in CGAL's `.polylines.txt` format, one line each
 std::string report_as_polylines(const Report& report);

@@ -24,25 +24,6 @@ namespace {
 typedef nlohmann::ordered_json Json;
 namespace SMC = CGAL::Surface_mesh_constrictions;
 
-const char* name(SMC::Seed_origin origin)
-{
-  switch(origin)
-  {
-  case SMC::Seed_origin::NON_FACE_TRIANGLE:
-    return "non_face_triangle";
-  case SMC::Seed_origin::CUT_LOCUS:
-    return "cut_locus";
-  case SMC::Seed_origin::SECTION:
-    return "section";
-  case SMC::Seed_origin::BARRIER:
-    return "barrier";
-  case SMC::Seed_origin::BOUNDARY:
-    return "boundary";
-  default:
-    return "user";
-  }
-}
-
 // of this process, so far
 std::uint64_t peak_rss_bytes()
 {
@@ -119,7 +100,7 @@ Json seed_as_json(const Constriction::Seed& seed, const File_numbering& numberin
   Json vertices = Json::array();
   for(Mesh::Vertex_index v : seed.vertices)
     vertices.push_back(numbering.vertex_of(v));
-  return {{"level", seed.level}, {"vertices", vertices}, {"origin", name(seed.origin)}};
+  return {{"level", seed.level}, {"vertices", vertices}, {"origin", origin_name(seed.origin)}};
 }
 
 Json signs_as_json(const SMC::Sign_statistics& signs)
@@ -151,6 +132,9 @@ Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mes
           {"slides_off", c.slides_off() ? Json(numbering.vertex_of(*c.slides_off())) : Json()},
           {"rim", c.is_rim()},
           {"boundary_share", c.boundary_share()},
+          {"centroid", c.centroid()},
+          {"diameter", c.diameter()},
+          {"normal", c.normal()},
           {"seed", seed_as_json(c.seeds().front(), numbering)}};
 }
 

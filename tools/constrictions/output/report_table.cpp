@@ -3,10 +3,13 @@
 
 #include "output/mesh_json.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <sstream>
+#include <string>
 
 namespace constrictions {
 
@@ -42,30 +45,54 @@ std::string rounded(double x)
   return out.str();
 }
 
+std::string short_number(double x)
+{
+  std::ostringstream out;
+  out << std::setprecision(4) << x;
+  return out.str();
+}
+
+// Three numbers with blanks between them.
+std::string as_text(const std::array<double, 3>& point)
+{
+  std::ostringstream out;
+  out << point[0] << ' ' << point[1] << ' ' << point[2];
+  return out.str();
+}
+
 // Loops that were tightened have none.
 std::string prominence(const Constriction& c) { return std::isnan(c.prominence()) ? "-" : rounded(c.prominence()); }
 
 } // namespace
 
-std::string report_as_table(const Report& report)
+std::string report_as_table(const Report& report, bool is_verbose)
 {
   using std::setw;
 
   std::ostringstream out;
   if(!report.constrictions.empty())
-    out << setw(5) << "id" << setw(14) << "length" << setw(12) << "prominence" << setw(11) << "roundness" << setw(8)
-        << "pivots" << setw(12) << "separating" << setw(12) << "side" << setw(12) << "certificate" << setw(12)
-        << "seed level" << '\n';
+  {
+    out << setw(3) << "id" << setw(12) << "length" << setw(10) << "diameter" << setw(11) << "prominence" << setw(10)
+        << "roundness" << setw(11) << "separating" << setw(12) << "certificate" << setw(11) << "side";
+    if(is_verbose)
+      out << setw(7) << "pivots" << setw(11) << "seed level"
+          << "  centroid";
+    out << '\n';
+  }
   for(std::size_t id = 0; id < report.constrictions.size(); ++id)
   {
     const Constriction& c = report.constrictions[id];
-    out << setw(5) << id << setw(14) << c.length() << setw(12) << prominence(c) << setw(11) << rounded(c.roundness())
-        << setw(8) << c.pivots().size() << setw(12)
+    const std::string number = std::to_string(id);
+    const int width = (std::max)(3, static_cast<int>(number.size()));
+    out << setw(width) << number << setw(15 - width) << c.length() << setw(10) << short_number(c.diameter()) << setw(11)
+        << prominence(c) << setw(10) << rounded(c.roundness()) << setw(11)
         << (c.is_rim()          ? "rim"
             : c.is_separating() ? "yes"
                                 : "no")
-        << setw(12) << side_name(c.side()) << setw(12) << name(c.certificate()) << setw(12) << c.seeds().front().level
-        << '\n';
+        << setw(12) << name(c.certificate()) << setw(11) << side_name(c.side());
+    if(is_verbose)
+      out << setw(7) << c.pivots().size() << setw(11) << c.seeds().front().level << "  " << as_text(c.centroid());
+    out << '\n';
   }
   out << open_certificates(report);
   for(const std::string& remark : report.remarks)
@@ -74,9 +101,14 @@ std::string report_as_table(const Report& report)
   const std::size_t n = report.constrictions.size();
   const auto& s = report.statistics;
   out << n << (n == 1 ? " constriction" : " constrictions") << " from " << s.seeds
-      << (s.seeds == 1 ? " seed curve" : " seed curves") << " (" << s.degenerate << " degenerate, " << s.discarded
-      << " discarded early, " << s.not_simple << " not simple, " << s.not_certified << " not certified, " << s.merged
-      << " merged, " << s.not_selected << " not selected)\n";
+      << (s.seeds == 1 ? " seed curve" : " seed curves");
+  if(is_verbose)
+    out << " (" << s.degenerate << " degenerate, " << s.discarded << " discarded early, " << s.not_simple
+        << " not simple, " << s.not_certified << " not certified, " << s.merged << " merged, " << s.not_selected
+        << " not selected)";
+  out << '\n';
+  if(!report.hint.empty())
+    out << report.hint << '\n';
   return out.str();
 }
 

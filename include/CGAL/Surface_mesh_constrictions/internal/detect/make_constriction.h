@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/boundary_share.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/roundness.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/curve_measures.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 
@@ -76,7 +76,10 @@ public:
     data.areas = {{parting.areas[0] * unit * unit, parting.areas[1] * unit * unit}};
     data.genera = m_sides.genera(points, parting.is_separating());
     data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting.areas);
-    data.roundness = roundness(m_pm, points);
+    const Curve_measures measures = curve_measures(m_pm, points);
+    data.roundness = measures.roundness;
+    data.centroid = {{unit * measures.centroid.x, unit * measures.centroid.y, unit * measures.centroid.z}};
+    data.normal = {{measures.normal.x, measures.normal.y, measures.normal.z}};
     data.side = m_sides.choked_side(points);
     data.boundary_share = boundary_share(m_pm, arcs, parting);
     data.rim = data.boundary_share > rim_share;

@@ -18,6 +18,8 @@ namespace CGAL {
   DO(minimum_prominence_t, minimum_prominence)                                                                         \
   DO(minimum_isolation_t, minimum_isolation)                                                                           \
   DO(maximum_isoperimetric_ratio_t, maximum_isoperimetric_ratio)                                                       \
+  DO(minimum_curve_length_t, minimum_curve_length)                                                                     \
+  DO(maximum_curve_length_t, maximum_curve_length)                                                                     \
   DO(maximum_number_of_constrictions_t, maximum_number_of_constrictions)                                               \
   DO(crossing_constrictions_t, crossing_constrictions)                                                                 \
   DO(all_constrictions_t, all_constrictions)                                                                           \

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/program_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_program_terminal {
+
+using program_fixture::Cubes;
+using program_fixture::dumbbell;
+using program_fixture::Grid_point;
+using program_fixture::Program;
+using program_fixture::Result;
+
+class Terminal : public Program
+{
+protected:
+  // What is shown after the bars of progress.
+  static void expect_at_the_end(const Result& r, const std::string& text)
+  {
+    EXPECT_EQ(r.exit_code, 0);
+    EXPECT_TRUE(r.err.size() >= text.size() && r.err.compare(r.err.size() - text.size(), text.size(), text) == 0)
+        << r.err << "does not end with\n"
+        << text;
+  }
+};
+
+TEST_F(Terminal, a_mistake_is_told_in_one_line_with_a_guess)
+{
+  const std::vector<std::pair<std::string, std::string>> mistakes = {
+      {"", "a command is missing; see constrictions --help"},
+      {"detekt dumbbell.off", "there is no command \"detekt\"; did you mean detect? See constrictions --help"},
+      {"refine dumbbell.off", "there is no command \"refine\"; see constrictions --help"},
+      {"dumbbell.off", "there is no command \"dumbbell.off\"; see constrictions --help"},
+      {"--jsn", "constrictions has no option \"--jsn\"; see constrictions --help"},
+      {"detect", "MESH is required; see constrictions detect --help"},
+      {"detect dumbbell.off tetrahedron.off",
+       "\"tetrahedron.off\" is one argument too many for detect; see constrictions detect --help"},
+      {"detect dumbbell.off --jsn a.json",
+       "detect has no option \"--jsn\"; did you mean --json? See constrictions detect --help"},
+      {"detect dumbbell.off --polcy=lt",
+       "detect has no option \"--polcy\"; did you mean --policy? See constrictions detect --help"},
+      {"detect --min-lenght 3 dumbbell.off",
+       "detect has no option \"--min-lenght\"; did you mean --min-length? See constrictions detect --help"},
+      {"detect dumbbell.off --loops l.txt",
+       "detect has no option \"--loops\"; it is one of tighten; see constrictions detect --help"},
+      {"certify dumbbell.off --curves c.json --near 1,2,3",
+       "certify has no option \"--near\"; it is one of detect; see constrictions certify --help"},
+      {"check dumbbell.off --threads 2",
+       "check has no option \"--threads\"; it is one of detect, segment and view; see constrictions check --help"},
+      {"detect dumbbell.off --threads 0", "--threads: give a whole number from 1 on; see constrictions detect --help"},
+      {"detect dumbbell.off --threads two",
+       "--threads: give a whole number from 1 on; see constrictions detect --help"},
+      {"detect dumbbell.off --max -1", "--max: give a whole number; see constrictions detect --help"},
+      {"detect dumbbell.off --max 1.5", "--max: give a whole number; see constrictions detect --help"},
+      {"detect dumbbell.off --max-ratio nan",
+       "--max-ratio: give a number that is not negative; see constrictions detect --help"},
+      {"segment dumbbell.off -o parts --parts 0",
+       "--parts: give a whole number from 1 on; see constrictions segment --help"},
+      {"batch dumbbell.off -j 501", "-j: give a whole number from 1 to 500; see constrictions batch --help"},
+      {"detect dumbbell.off --near 1,2",
+       "--near: give three numbers separated by commas, as in 0.5,-1,2e3; see constrictions detect --help"},
+      {"detect dumbbell.off --csv - --json -",
+       "--csv: --json writes to the standard output, too; see constrictions detect --help"},
+      {"detect dumbbell.off --json dumbbell.off",
+       "dumbbell.off: the output would overwrite the input; see constrictions detect --help"}};
+  for(const auto& [arguments, message] : mistakes)
+  {
+    expect_wrong_usage(arguments);
+    EXPECT_EQ(run(arguments).err, "constrictions: " + message + '\n');
+  }
+  expect_wrong_usage("$'detect\n'"); // still one line
+}
+
+TEST_F(Terminal, what_was_written_and_found_is_told)
+{
+  expect_at_the_end(run_in_terminal("detect dumbbell.off -o results --csv a.csv"),
+                    "written: results/constrictions.json\n"
+                    "         results/constrictions.polylines.txt\n"
+                    "         results/constrictions.ply\n"
+                    "         results/constrictions.vtp\n"
+                    "         a.csv\n"
+                    "1 constriction, 4 long, around 3 1.5 1.5\n");
+  EXPECT_EQ(run_in_terminal("detect dumbbell.off -o results --quiet").err, "");
+  EXPECT_EQ(run("detect dumbbell.off -o results").err, "");
+  expect_at_the_end(run_in_terminal("segment dumbbell.off -o parts"), "written: parts/parts.ply\n"
+                                                                      "         parts/parts.vtp\n"
+                                                                      "         parts/parts.json\n"
+                                                                      "         parts/part_0.ply\n"
+                                                                      "         parts/part_1.ply\n");
+  const Result cactus = run_in_terminal("segment '" CONSTRICTIONS_MESH_DIR "/cactus.off' --format obj -o parts");
+  expect_at_the_end(cactus, "         parts/parts.json\n         parts/part_0.obj to parts/part_3.obj\n");
+  const Result table = run_in_terminal("detect dumbbell.off"); // says it itself
+  EXPECT_EQ(table.err.find("written"), std::string::npos);
+  EXPECT_NE(table.out, "");
+  const Result several = run_in_terminal("detect '" CONSTRICTIONS_MESH_DIR "/cactus.off' --json a.json");
+  EXPECT_NE(several.err.find("written: a.json\n3 constrictions; the narrowest, number 1, is 0.283957 long, around "),
+            std::string::npos)
+      << several.err;
+  expect_at_the_end(run_in_terminal("check dumbbell.off -o checked.ply"), "written: checked.ply\n");
+  expect_at_the_end(run_in_terminal("certify dumbbell.off --curves results/constrictions.json --json c.json"),
+                    "written: c.json\n");
+  EXPECT_EQ(run_in_terminal("check dumbbell.off").err, "");
+  if(!CONSTRICTIONS_HAS_VIEWER)
+    return;
+  expect_at_the_end(run_in_terminal("view dumbbell.off -o dumbbell.html"),
+                    "written: dumbbell.html\n1 constriction, 4 long, around 3 1.5 1.5\n");
+  expect_at_the_end(run_in_terminal("view dumbbell.off -o dumbbell.html --min-prominence 100"),
+                    "1 constriction, 4 long, around 3 1.5 1.5\n1 of less prominence than 100 is not shown at first\n");
+}
+
+TEST_F(Terminal, loops_that_are_no_constrictions_are_told)
+{
+  Cubes cubes = dumbbell();
+  write("dumbbell.off", cubes.off());
+  std::ostringstream loop;
+  for(const Grid_point& p : {Grid_point{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}})
+    loop << cubes.vertex(p) << ' ';
+  write("loops.txt", loop.str());
+  expect_at_the_end(run_in_terminal("tighten dumbbell.off --loops loops.txt --json a.json"),
+                    "written: a.json\nloop on line 1: degenerate, it shortens to a point\n0 constrictions\n");
+}
+
+TEST_F(Terminal, nothing_found_points_to_all)
+{
+  const std::string hint = "Closed geodesics were found but are not selected; --all shows them";
+  EXPECT_NE(run("detect dumbbell.off --min-prominence 100").out.find("seed curves\n" + hint + ".\n"),
+            std::string::npos);
+  EXPECT_NE(run("detect dumbbell.off --min-prominence 100 --min-length 1").out.find(hint + ", if within"),
+            std::string::npos);
+  EXPECT_NE(run("segment dumbbell.off --min-prominence 100 -o parts").out.find(hint), std::string::npos);
+  expect_at_the_end(run_in_terminal("detect dumbbell.off --min-prominence 100 --json a.json"),
+                    "0 constrictions\n" + hint + ".\n");
+  EXPECT_NE(run("detect dumbbell.off --min-prominence 100 --all").out.find("4 constrictions from"), std::string::npos);
+  // where there is nothing it points to nothing
+  for(const char* arguments : {"detect tetrahedron.off", "detect tetrahedron.off --all", "detect dumbbell.off --max 0",
+                               "detect dumbbell.off --all --min-length 1000"})
+    EXPECT_EQ(run(arguments).out.find("--all"), std::string::npos) << arguments;
+}
+
+} // namespace test_program_terminal

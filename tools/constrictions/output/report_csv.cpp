@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "output/report.h"
+
+#include "output/certificates.h"
+#include "output/mesh_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace constrictions {
+
+namespace {
+
+// As RFC 4180 says: what has a comma, a quotation mark or the end of a line in it is in quotation marks, and these are
+// doubled.
+std::string quoted_field(const std::string& text)
+{
+  if(text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  std::string result = "\"";
+  for(char c : text)
+    result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + '"';
+}
+
+std::string field(const char* text) { return quoted_field(text); }
+std::string field(const std::string& text) { return quoted_field(text); }
+std::string field(bool value) { return value ? "true" : "false"; }
+std::string field(std::size_t number) { return std::to_string(number); }
+
+// As in the JSON file; nothing where that has null.
+std::string field(double x)
+{
+  const std::string text = nlohmann::json(x).dump();
+  return text == "null" ? "" : text;
+}
+
+template <class Number>
+std::string field(const std::optional<Number>& number)
+{
+  return number ? field(*number) : "";
+}
+
+// The columns of a curve, each with its name.
+std::vector<std::pair<const char*, std::string>> columns(std::size_t id, const Constriction& c,
+                                                         const File_numbering& numbering)
+{
+  std::optional<std::size_t> slides_off;
+  if(c.slides_off())
+    slides_off = numbering.vertex_of(*c.slides_off());
+  const Constriction::Seed& seed = c.seeds().front();
+  return {{"id", field(id)},
+          {"length", field(c.length())},
+          {"diameter", field(c.diameter())},
+          {"centroid_x", field(c.centroid()[0])},
+          {"centroid_y", field(c.centroid()[1])},
+          {"centroid_z", field(c.centroid()[2])},
+          {"normal_x", field(c.normal()[0])},
+          {"normal_y", field(c.normal()[1])},
+          {"normal_z", field(c.normal()[2])},
+          {"prominence", field(c.prominence())},
+          {"isolation", field(c.isolation())},
+          {"roundness", field(c.roundness())},
+          {"isoperimetric_ratio", field(c.isoperimetric_ratio())},
+          {"left_area", field(c.areas()[0])},
+          {"right_area", field(c.areas()[1])},
+          {"left_genus", field(c.genera()[0])},
+          {"right_genus", field(c.genera()[1])},
+          {"separating", field(c.is_separating())},
+          {"side", field(side_name(c.side()))},
+          {"rim", field(c.is_rim())},
+          {"boundary_share", field(c.boundary_share())},
+          {"dominated_by", field(c.dominated_by())},
+          {"slides_off", field(slides_off)},
+          {"pivots", field(c.pivots().size())},
+          {"certificate", field(certificate_as_text(c.certificate()))},
+          {"seed_level", field(seed.level)},
+          {"seed_origin", field(origin_name(seed.origin))}};
+}
+
+} // namespace
+
+std::string report_as_csv(const Report& report)
+{
+  // an example of a curve has the names, also where no curve was found
+  Constriction::Data example;
+  example.seeds.push_back({0, {}, CGAL::Surface_mesh_constrictions::Seed_origin::USER});
+  std::string out;
+  const auto add_line = [&out](const auto& line, const auto& text_of) {
+    for(std::size_t i = 0; i < line.size(); ++i)
+      out += (i == 0 ? "" : ",") + std::string(text_of(line[i]));
+    out += '\n';
+  };
+  add_line(columns(0, Constriction(example), report.file.numbering), [](const auto& column) { return column.first; });
+  for(std::size_t id = 0; id < report.constrictions.size(); ++id)
+    add_line(columns(id, report.constrictions[id], report.file.numbering),
+             [](const auto& column) { return column.second; });
+  return out;
+}
+
+} // namespace constrictions
