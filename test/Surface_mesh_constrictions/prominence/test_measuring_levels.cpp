@@ -105,6 +105,19 @@ TEST(MeasuringLevels, OnlyALargeSurfaceHasThem)
   }
 }
 
+// The pleats of a surface vanish from a coarser level, as the steps of voxels do, and with them part of the area.
+TEST(MeasuringLevels, APleatedSurfaceHasNone)
+{
+  const int along = 180;
+  for(double depth : {0., 0.03})
+  {
+    const auto radius = [&](double s) { return std::lround(s * along) % 2 == 0 ? 1 - depth : 1 + depth; };
+    Progressive_mesh pm = simplified(test_meshes::make_mesh(test_meshes::revolution(radius, 10, along, 160, 0, 0)));
+    pm.go_to_level(0);
+    EXPECT_EQ(SMC::internal::measuring_levels(pm).size(), depth == 0 ? 1u : 0u);
+  }
+}
+
 // Each neck once, whatever the noise, as prominent as on the input: the bulge beside it is the barrier.
 TEST(MeasuringLevels, TheNecksOfALargeSurfaceAreAsProminentAsMeasuredOnTheInput)
 {
@@ -123,10 +136,9 @@ TEST(MeasuringLevels, TheNecksOfALargeSurfaceAreAsProminentAsMeasuredOnTheInput)
       EXPECT_EQ(curves[i].dominated_by().has_value(), measured[i].dominated_by().has_value()) << i;
     }
     for(double radius : {0.3, 0.4, 0.5, 0.6})
-      EXPECT_EQ(std::count_if(curves.begin(), curves.end(),
-                              [&](const Constriction& c) {
-                                return std::abs(c.length() / (2 * CGAL_PI * radius) - 1) < 0.02;
-                              }),
+      EXPECT_EQ(std::count_if(
+                    curves.begin(), curves.end(),
+                    [&](const Constriction& c) { return std::abs(c.length() / (2 * CGAL_PI * radius) - 1) < 0.02; }),
                 1)
           << radius;
   }

@@ -6,7 +6,9 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
+#include <cmath>
 #include <cstddef>
 #include <deque>
 
@@ -29,16 +31,36 @@ struct Measuring_level
 // of the input, or there is little to be gained.
 constexpr std::size_t least_measuring_vertices = 8192, measuring_factor = 4;
 
+// A level on which the surface is smoother than T^0 holds its curves as others: its area differs by more than this
+// share. That of scans differs by a tenth of it, that of the steps of voxels by twenty times as much.
+constexpr double greatest_difference_of_areas = 0.005;
+
+// The area of the current surface. Linear in T^0.
+inline double surface_area(const Progressive_mesh& pm)
+{
+  double sum = 0;
+  for(Index f = 0; f < pm.number_of_face_ids(); ++f)
+    if(pm.is_face(f) && !pm.is_ghost_face(f))
+    {
+      const Vector3 p = position(pm, pm.source(3 * f));
+      sum += norm(cross(position(pm, pm.source(3 * f + 1)) - p, position(pm, pm.source(3 * f + 2)) - p)) / 2;
+    }
+  return sum;
+}
+
 // The levels of a surface to measure on, the coarsest first; the surface is at level 0 before and after. Linear in T^0.
 inline std::deque<Measuring_level> measuring_levels(Progressive_mesh& pm)
 {
   std::deque<Measuring_level> levels;
   const std::size_t most = pm.number_of_vertices() / 3;
+  if(most <= least_measuring_vertices)
+    return levels;
+  const double area = surface_area(pm);
   for(std::size_t vertices = least_measuring_vertices; vertices < most; vertices *= measuring_factor)
   {
     const std::size_t level = pm.level_with(vertices);
     pm.go_to_level(level);
-    if(pm.number_of_vertices() < most)
+    if(pm.number_of_vertices() < most && std::abs(surface_area(pm) - area) <= greatest_difference_of_areas * area)
       levels.emplace_back(pm);
   }
   pm.go_to_level(0);
