@@ -75,7 +75,7 @@ public:
     data.homology_class.assign(parting.homology_class.begin(), parting.homology_class.end());
     data.areas = {{parting.areas[0] * unit * unit, parting.areas[1] * unit * unit}};
     data.genera = m_sides.genera(points, parting.is_separating());
-    data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting.areas);
+    data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting);
     data.roundness = roundness(m_pm, points);
     data.side = m_sides.choked_side(points);
     data.boundary_share = boundary_share(m_pm, arcs, parting);
