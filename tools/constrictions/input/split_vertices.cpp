@@ -66,7 +66,6 @@ std::vector<Index> fans(const std::vector<Index>& opposite)
 Split_mesh split_vertices(std::size_t number_of_vertices, const Triangles& triangles, Mesh_findings& findings)
 {
   tell_of_turned_faces(triangles, findings);
-  tell_of_edges(number_of_vertices, triangles, findings);
 
   Split_mesh result;
   std::vector<Index>& vertex = result.vertex;
@@ -94,6 +93,8 @@ Split_mesh split_vertices(std::size_t number_of_vertices, const Triangles& trian
     }
     result.table.halfedges.push_back({name, triangles.opposite[h]});
   }
+  if(vertex.size() > number_of_vertices) // edges of one vertex pair differ in a copy
+    tell_of_edges(number_of_vertices, triangles, findings);
   result.table.outgoing.assign(vertex.size(), null_index);
   for(Index h = 0; h < fan_of.size(); ++h)
     result.table.outgoing[result.table.halfedges[h].source] = h;
