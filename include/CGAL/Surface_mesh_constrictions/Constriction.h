@@ -163,7 +163,8 @@ public:
   /// less than its own.
   const std::array<std::size_t, 2>& genera() const { return m_data->genera; }
 
-  /// length^2 / (4 pi A), with A the smaller of the two areas; infinite if there is nothing on one side but a hole
+  /// length^2 / (4 pi A), with A the smaller of the two areas, to which those of flat fillings of the holes are added;
+  /// infinite if there is nothing on one side but a hole
   double isoperimetric_ratio() const { return m_data->isoperimetric_ratio; }
 
   /// how much it is like a circle: 4 pi A / length^2, with A the area of the largest of its shadows on a plane, which

@@ -347,6 +347,39 @@ TEST(Boundary, HolesCountForNeitherGenusNorArea)
   EXPECT_LT(separating, curves.size());
 }
 
+// A waist between two short ends that flare: the surface alone, without what closes the ends, would be too small there.
+// Filled by flat pieces the ends say the same as with lids.
+TEST(Boundary, AHoleCountsAsFilledInTheIsoperimetricRatio)
+{
+  const int n = 24;
+  const Soup tube = open_meshes::open_tube(n, {{{2, 0}}, {{1, 0.5}}, {{2, 1}}});
+  Soup closed = tube;
+  std::set<std::array<std::size_t, 2>> sides;
+  for(const test_meshes::Triangle& t : tube.faces)
+    for(std::size_t i = 0; i < 3; ++i)
+      sides.insert({{t[i], t[(i + 1) % 3]}});
+  for(double z : {0., 1.})
+  {
+    const std::size_t middle = closed.points.size();
+    closed.points.push_back({{0, 0, z}});
+    for(const std::array<std::size_t, 2>& s : sides)
+      if(sides.count({{s[1], s[0]}}) == 0 && tube.points[s[0]][2] == z)
+        closed.faces.push_back({{s[1], s[0], middle}});
+  }
+  const std::vector<Constriction> open_curves = detect(test_meshes::make_mesh(tube)),
+                                  closed_curves = detect(test_meshes::make_mesh(closed));
+  ASSERT_EQ(open_curves.size(), 1u);
+  ASSERT_EQ(closed_curves.size(), 1u);
+  const Constriction& c = open_curves[0];
+  EXPECT_EQ(c.length(), closed_curves[0].length());
+  EXPECT_NEAR(c.isoperimetric_ratio(), closed_curves[0].isoperimetric_ratio(), 1e-12);
+  const double area = std::min(c.areas()[0], c.areas()[1]), lid = n * 2 * std::sin(2 * CGAL_PI / n),
+               length = 2 * n * std::sin(CGAL_PI / n);
+  EXPECT_NEAR(std::min(closed_curves[0].areas()[0], closed_curves[0].areas()[1]), area + lid, 1e-12);
+  EXPECT_NEAR(c.isoperimetric_ratio(), length * length / (4 * CGAL_PI * (area + lid)), 1e-12);
+  EXPECT_GT(length * length / (4 * CGAL_PI * area), SMC::default_maximum_isoperimetric_ratio);
+}
+
 // Whatever the holes, the policies, the seeds and the way to carry them: what comes out is proved.
 TEST(Boundary, RandomHolesGiveNothingThatIsNotProved)
 {

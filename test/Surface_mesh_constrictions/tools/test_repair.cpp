@@ -3,6 +3,7 @@
 #include "include/program_fixture.h"
 
 #include "input/pair_sides.h"
+#include "output/mesh_as_text.h"
 
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 
@@ -90,6 +91,19 @@ void merge_positions(std::vector<Position>& points, Faces& faces)
   points = merged;
 }
 
+// Vertices of its own for each face.
+void write_apart(std::vector<Position>& points, Faces& faces)
+{
+  std::vector<Position> apart;
+  for(std::vector<int>& f : faces)
+    for(int& v : f)
+    {
+      apart.push_back(points[static_cast<std::size_t>(v)]);
+      v = static_cast<int>(apart.size()) - 1;
+    }
+  points = apart;
+}
+
 class Repair : public Mesh_file
 {
 protected:
@@ -105,6 +119,38 @@ protected:
   {
     std::vector<std::size_t> component(mesh.num_faces());
     return CGAL::Polygon_mesh_processing::connected_components(mesh, CGAL::make_property_map(component));
+  }
+
+  static std::vector<Mesh::Vertex_index> vertices_of(const Mesh& mesh, Mesh::Face_index f)
+  {
+    std::vector<Mesh::Vertex_index> result;
+    for(Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      result.push_back(mesh.source(h));
+    return result;
+  }
+
+  // Written and read again, a mesh is the same, and nothing is repaired.
+  void expect_at_rest(const Mesh& mesh) const
+  {
+    for(const char* name : {"again.off", "again.obj", "again.ply"})
+    {
+      SCOPED_TRACE(name);
+      File_record again;
+      const Mesh read =
+          constrictions::read_mesh_file(file(name, constrictions::mesh_as_text(mesh, name)), Reading(), again);
+      EXPECT_FALSE(again.findings.has_repairs()) << constrictions::summary_of(again.findings);
+      for(Finding finding : {Finding::HOLES, Finding::BORDER_EDGES, Finding::T_VERTICES})
+        EXPECT_EQ(again.findings.count(finding), count(finding));
+      ASSERT_EQ(read.num_vertices(), mesh.num_vertices());
+      ASSERT_EQ(read.num_faces(), mesh.num_faces());
+      EXPECT_EQ(components(read), components(mesh));
+      EXPECT_EQ(read.number_of_vertices(), mesh.number_of_vertices());
+      EXPECT_EQ(read.number_of_edges(), mesh.number_of_edges());
+      for(Mesh::Face_index f : mesh.faces())
+        EXPECT_EQ(vertices_of(read, f), vertices_of(mesh, f));
+      for(Mesh::Vertex_index v : mesh.vertices())
+        EXPECT_EQ(read.point(v), mesh.point(v));
+    }
   }
 
   // The vertices of the file that the triangle has, in its order.
@@ -395,6 +441,71 @@ TEST_F(Repair, faces_with_corners_of_their_own_are_joined)
   EXPECT_EQ(count(Finding::MERGED_VERTICES), 18u);
 }
 
+TEST_F(Repair, a_strip_with_one_side_is_refused_also_if_its_faces_are_written_apart)
+{
+  const int n = 12;
+  std::vector<Position> points;
+  Faces faces;
+  for(int i = 0; i < n; ++i)
+    for(double across : {-1., 1.})
+    {
+      const double turn = CGAL_PI * i / n;
+      const double r = 3 + across * std::cos(turn);
+      points.push_back({{r * std::cos(2 * turn), r * std::sin(2 * turn), across * std::sin(turn)}});
+    }
+  for(int i = 0; i < n; ++i)
+  {
+    const int next = (2 * i + 2) % (2 * n), is_last = i + 1 == n;
+    faces.push_back({2 * i, 2 * i + 1, next + is_last});
+    faces.push_back({2 * i + 1, next + 1 - is_last, next + is_last});
+  }
+  for(bool is_apart : {false, true})
+    try
+    {
+      if(is_apart)
+        write_apart(points, faces);
+      repaired(off_of(points, faces));
+      ADD_FAILURE() << "no error";
+    }
+    catch(const Invalid_input& e)
+    {
+      EXPECT_EQ(e.defect(), Input_defect::INCONSISTENT_ORIENTATION);
+      expect_message(e.what(), {"cannot be oriented"});
+    }
+}
+
+TEST_F(Repair, bodies_that_touch_stay_apart_when_their_faces_are_written_apart)
+{
+  // seams are closed all over the two bodies, and those of the edge that both have in pairs
+  std::vector<Position> points;
+  Faces faces;
+  add_cube(0, 0, 0, points, faces);
+  add_cube(1, 1, 0, points, faces);
+  write_apart(points, faces);
+  const Mesh mesh = repaired(off_of(points, faces));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_EQ(components(mesh), 2u);
+  EXPECT_EQ(count(Finding::SPLIT_EDGES), 1u);
+}
+
+TEST_F(Repair, a_seam_that_shows_when_faces_are_left_out_is_closed)
+{
+  // the upper half twice, so that it has no border, and the lower half with vertices of its own
+  Soup soup = octahedron();
+  for(const Position& p : octahedron().points)
+    soup.points.push_back(p);
+  for(std::size_t t = 4; t < 8; ++t)
+    for(std::uint32_t& v : soup.triangles[t])
+      v += 6;
+  for(std::size_t t = 0; t < 4; ++t)
+    soup.triangles.push_back(Triangle(soup.triangles[t]));
+  const Mesh mesh = repaired(off(soup));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_EQ(mesh.number_of_faces(), 8u);
+  EXPECT_EQ(count(Finding::DUPLICATE_FACES), 4u);
+  EXPECT_EQ(count(Finding::MERGED_VERTICES), 4u);
+}
+
 TEST_F(Repair, strict_refuses)
 {
   Reading strict;
@@ -533,6 +644,7 @@ protected:
       EXPECT_EQ(count(Finding::SPLIT_EDGES), split_edges);
       EXPECT_EQ(count(Finding::CUT_EDGES), cut_edges);
       tally.cut_edges += cut_edges;
+      expect_at_rest(mesh);
     }
     catch(const Invalid_input& e)
     {

@@ -32,17 +32,26 @@ public:
     : m_soup(soup), m_findings(findings), m_same(soup.points.size())
   {}
 
-  Clean_faces clean(double merging_distance)
+  Clean_faces clean(double merging_distance, bool closes_seams)
   {
     if(merging_distance > 0)
       merge_near(merging_distance);
     collapse_edges();
-    set_faces();
-    if(close_seams())
-      set_faces();
-    tell_of_degenerate_faces();
     m_result.twin.assign(m_soup.number_of_faces(), null_index);
-    leave_out_duplicates();
+    set_faces();
+    std::vector<Border_edge> border = border_edges();
+    m_result.border_edges = border.size();
+    // where faces are left out there may be a new border, and so a new seam
+    bool has_new_border = true;
+    while(has_new_border)
+    {
+      if(closes_seams && close_seams(border))
+        set_faces();
+      has_new_border = leave_out_duplicates() && closes_seams;
+      if(has_new_border)
+        border = border_edges();
+    }
+    tell_of_degenerate_faces();
     for(Index v = 0; v < m_soup.points.size(); ++v)
       m_result.stand_in.push_back(m_same.find(v));
     return std::move(m_result);
@@ -97,6 +106,8 @@ private:
     std::vector<Index> corners;
     for(std::size_t f = 0; f < m_soup.number_of_faces(); ++f)
     {
+      if(m_result.twin[f] != null_index)
+        continue;
       corners.clear();
       for(std::size_t c = m_soup.begin(f); c < m_soup.begin(f + 1); ++c)
         corners.push_back(m_same.find(m_soup.corners[c]));
@@ -130,13 +141,13 @@ private:
     }
   }
 
-  // Merges the ends of border edges that have the same ends in space.
-  bool close_seams()
+  struct Border_edge
   {
-    struct Border_edge
-    {
-      Index from, to; // from is at the smaller point
-    };
+    Index from, to; // from is at the smaller point
+  };
+
+  std::vector<Border_edge> border_edges() const
+  {
     const auto& points = m_soup.points;
     std::vector<Border_edge> border;
     Edge_groups(points.size(), m_result.corners, m_result.begins)
@@ -144,6 +155,13 @@ private:
           if(end - begin == 1)
             border.push_back(points[u] < points[begin->to] ? Border_edge{u, begin->to} : Border_edge{begin->to, u});
         });
+    return border;
+  }
+
+  // Merges the ends of border edges that have the same ends in space.
+  bool close_seams(std::vector<Border_edge>& border)
+  {
+    const auto& points = m_soup.points;
     const auto compare = [&points](Index a, Index b) {
       return points[a] < points[b] ? -1 : points[b] < points[a] ? 1 : 0;
     };
@@ -191,7 +209,8 @@ private:
     std::size_t first, second; // of one face and the same one turned round
   };
 
-  void leave_out_duplicates()
+  // Returns whether there were any.
+  bool leave_out_duplicates()
   {
     const std::size_t n = m_result.size();
     std::vector<std::pair<std::uint64_t, std::size_t>> order;
@@ -238,6 +257,7 @@ private:
     }
     resolve_pairs(pairs, is_left_out);
     remove(is_left_out);
+    return m_result.size() < n;
   }
 
   void leave_out(std::size_t i, std::size_t instead, std::vector<bool>& is_left_out)
@@ -333,9 +353,9 @@ private:
 
 } // namespace
 
-Clean_faces clean_faces(const Polygon_soup& soup, double merging_distance, Mesh_findings& findings)
+Clean_faces clean_faces(const Polygon_soup& soup, double merging_distance, bool closes_seams, Mesh_findings& findings)
 {
-  return Face_cleaner(soup, findings).clean(merging_distance);
+  return Face_cleaner(soup, findings).clean(merging_distance, closes_seams);
 }
 
 } // namespace constrictions

@@ -5,6 +5,7 @@
 #include "input/join_faces.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_table.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -29,7 +30,7 @@ public:
     : m_points(points), m_triangles(triangles), m_findings(findings)
   {}
 
-  Corner_table connect()
+  void connect()
   {
     find_edges();
     if(leave_out_flat_triangles())
@@ -41,8 +42,7 @@ public:
       find_edges();
       join();
     }
-    split_vertices();
-    return table();
+    m_triangles.opposite = std::move(m_opposite);
   }
 
 private:
@@ -179,12 +179,7 @@ private:
     m_triangles.is_turned = is_turned;
     for(Index t = 0; t < n; ++t)
       if(is_turned[t])
-      {
         std::swap(m_triangles.corners[3 * t + 1], m_triangles.corners[3 * t + 2]);
-        const Index f = m_triangles.face[t];
-        if(t == 0 || m_triangles.face[t - 1] != f || !is_turned[t - 1]) // the first piece of a polygon tells of it
-          m_findings.add(Finding::TURNED_FACES, [f] { return "face " + std::to_string(f) + " is turned round"; });
-      }
     if(std::find(is_turned.begin(), is_turned.end(), true) != is_turned.end())
       find_edges();
   }
@@ -249,10 +244,7 @@ private:
     return result;
   }
 
-  void join()
-  {
-    m_joined = join_faces(m_points, m_triangles.corners, m_crowded, !m_crowded.empty() && volume() < 0, m_opposite);
-  }
+  void join() { join_faces(m_points, m_triangles.corners, m_crowded, !m_crowded.empty() && volume() < 0, m_opposite); }
 
   // Two triangles joined along all three edges.
   bool leave_out_vanished_bodies()
@@ -273,60 +265,6 @@ private:
     return is_any;
   }
 
-  void split_vertices()
-  {
-    for(const Crowded_edge& edge : m_crowded)
-      m_findings.add(Finding::SPLIT_EDGES, [&] {
-        const Index f = m_triangles.face[edge.sides.front().side / 3];
-        return "non-manifold edge: " + edge_name(edge.u, edge.v) + " of face " + std::to_string(f) + " has " +
-               std::to_string(edge.sides.size()) + " faces";
-      });
-    for(Index h : m_joined.cut_sides)
-      m_findings.add(Finding::CUT_EDGES, [&] {
-        const Index f = m_triangles.face[h / 3];
-        return "beside a non-manifold edge: " + edge_name(corner(h), corner(next(h))) + " of face " +
-               std::to_string(f) + " is cut open";
-      });
-    const std::size_t nv = m_points.size();
-    std::vector<Index>& vertex = m_triangles.vertex;
-    for(Index v = 0; v < nv; ++v)
-      vertex.push_back(v);
-    std::vector<bool> is_used(nv, false);
-    std::vector<Index> vertex_of_fan(m_triangles.corners.size(), null_index);
-    for(Index h = 0; h < m_triangles.corners.size(); ++h)
-    {
-      Index& name = vertex_of_fan[m_joined.fan_of[h]];
-      const Index v = corner(h);
-      if(name == null_index && !is_used[v])
-      {
-        is_used[v] = true;
-        name = v;
-      }
-      else if(name == null_index)
-      {
-        name = static_cast<Index>(vertex.size());
-        vertex.push_back(v);
-        m_findings.add(Finding::SPLIT_VERTICES, [v] {
-          return "non-manifold vertex: the faces around vertex " + std::to_string(v) + " form more than one fan";
-        });
-      }
-      m_triangles.corners[h] = name;
-    }
-  }
-
-  Corner_table table() const
-  {
-    Corner_table result;
-    result.halfedges.reserve(m_opposite.size());
-    result.outgoing.assign(m_triangles.vertex.size(), null_index);
-    for(Index h = 0; h < m_opposite.size(); ++h)
-    {
-      result.halfedges.push_back({corner(h), m_opposite[h]});
-      result.outgoing[corner(h)] = h;
-    }
-    return result;
-  }
-
   const std::vector<Point>& m_points;
   Triangles& m_triangles;
   Mesh_findings& m_findings;
@@ -334,14 +272,13 @@ private:
   std::vector<Index> m_faces_at; // by side, the number of faces at its edge
   std::vector<Crowded_edge> m_crowded;
   bool m_is_oriented = false;
-  Joined_faces m_joined;
 };
 
 } // namespace
 
-Corner_table connect_triangles(const std::vector<Point>& points, Triangles& triangles, Mesh_findings& findings)
+void connect_triangles(const std::vector<Point>& points, Triangles& triangles, Mesh_findings& findings)
 {
-  return Connector(points, triangles, findings).connect();
+  Connector(points, triangles, findings).connect();
 }
 
 } // namespace constrictions

@@ -5,8 +5,7 @@
 #include "input/mesh_findings.h"
 #include "input/polygon_soup.h"
 
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_table.h>
-
+#include <cstddef>
 #include <vector>
 
 namespace constrictions {
@@ -17,17 +16,16 @@ struct Triangles
   std::vector<Index> corners;
   std::vector<Index> face;     ///< of each triangle, in the file
   std::vector<bool> is_turned; ///< filled by `connect_triangles()`
-  std::vector<Index> vertex;   ///< filled by `connect_triangles()`: by vertex, that of the file
+  std::vector<Index> opposite; ///< filled by `connect_triangles()`: by side, the one joined to it, or `null_index`
 
   std::size_t size() const { return face.size(); }
 };
 
-/// the last four steps of `repair_soup()`: leaves out triangles, turns them round, splits edges and vertices. Copies of
-/// vertices come behind the vertices of the file. At the border of the table `opposite` is `null_index`.
+/// leaves out triangles, turns them round and joins them in pairs: the last steps of `repair_soup()`, but for splitting
+/// vertices.
 ///
 /// Throws `Invalid_input` for what cannot be oriented.
-CGAL::Surface_mesh_constrictions::internal::Corner_table
-connect_triangles(const std::vector<Point>& points, Triangles& triangles, Mesh_findings& findings);
+void connect_triangles(const std::vector<Point>& points, Triangles& triangles, Mesh_findings& findings);
 
 } // namespace constrictions
 

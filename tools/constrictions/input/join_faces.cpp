@@ -76,7 +76,7 @@ public:
     }
   }
 
-  Joined_faces join()
+  void join()
   {
     m_fan_of.assign(m_corners.size(), null_index);
     for(std::size_t e = 0; e < m_edges.size(); ++e)
@@ -91,7 +91,6 @@ public:
     take_earlier_ways();
     while(!m_failing.empty())
       cut_beside(*m_failing.begin());
-    return {std::move(m_fan_of), std::move(m_cut_sides)};
   }
 
 private:
@@ -340,8 +339,6 @@ private:
   {
     const Index o = m_opposite[h];
     m_opposite[h] = m_opposite[o] = null_index;
-    if(!m_is_crowded[h])
-      m_cut_sides.push_back((std::min)(h, o));
     update(m_corners[h]);
     update(m_corners[o]);
   }
@@ -355,15 +352,15 @@ private:
   std::vector<std::size_t> m_way, m_excess;                // by edge
   std::size_t m_sum_of_excess = 0;
   std::set<std::size_t> m_failing; // edges whose excess is not 0
-  std::vector<Index> m_fan_of, m_cut_sides;
+  std::vector<Index> m_fan_of;     // by corner, the smallest one of its fan of triangles
 };
 
 } // namespace
 
-Joined_faces join_faces(const std::vector<Point>& points, const std::vector<Index>& corners,
-                        const std::vector<Crowded_edge>& edges, bool is_inside_out, std::vector<Index>& opposite)
+void join_faces(const std::vector<Point>& points, const std::vector<Index>& corners,
+                const std::vector<Crowded_edge>& edges, bool is_inside_out, std::vector<Index>& opposite)
 {
-  return Joiner(points, corners, edges, is_inside_out, opposite).join();
+  Joiner(points, corners, edges, is_inside_out, opposite).join();
 }
 
 } // namespace constrictions

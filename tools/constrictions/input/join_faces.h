@@ -16,13 +16,6 @@ struct Crowded_edge
   std::vector<Edge_groups::Side> sides;
 };
 
-/// What becomes of the vertices of triangles whose crowded edges have been made several.
-struct Joined_faces
-{
-  std::vector<Index> fan_of;    ///< of each corner the smallest corner of its fan of triangles
-  std::vector<Index> cut_sides; ///< of each edge that had two faces and has been cut open the smaller side
-};
-
 /// joins the triangles at each crowded edge in pairs, so that no two edges have the same ends once each fan of
 /// triangles has a vertex of its own.
 ///
@@ -35,8 +28,8 @@ struct Joined_faces
 ///
 /// Linear in the number of triangles, but for crowded edges whose first way does not hold: linear in the number of
 /// corners and crowded edges at their ends, for each way of each of their neighbours.
-Joined_faces join_faces(const std::vector<Point>& points, const std::vector<Index>& corners,
-                        const std::vector<Crowded_edge>& edges, bool is_inside_out, std::vector<Index>& opposite);
+void join_faces(const std::vector<Point>& points, const std::vector<Index>& corners,
+                const std::vector<Crowded_edge>& edges, bool is_inside_out, std::vector<Index>& opposite);
 
 } // namespace constrictions
 

@@ -26,6 +26,7 @@ struct Parting
 {
   std::vector<Index> homology_class; // modulo 2, see `Surface_cycles`; the curve separates if it is empty
   std::array<double, 2> areas;       // left and right; if not separating, both that of the component
+  std::array<double, 2> hole_areas;  // the same of what would fill the holes, flat
 
   bool is_separating() const { return homology_class.empty(); }
 };
@@ -35,10 +36,21 @@ inline double isoperimetric_ratio(double length, const std::array<double, 2>& ar
   return length * length / (4 * CGAL_PI * (std::min)(areas[0], areas[1]));
 }
 
+// The holes count as filled, so that the end of a limb says the same whether it is open or closed; but where there is
+// nothing else on one side there is nothing that the curve could part from the rest.
+inline double isoperimetric_ratio(double length, const Parting& parting)
+{
+  std::array<double, 2> areas = parting.areas;
+  for(std::size_t i = 0; i < 2; ++i)
+    if(areas[i] > 0)
+      areas[i] += parting.hole_areas[i];
+  return isoperimetric_ratio(length, areas);
+}
+
 // Whether a curve of this length separates and has a greater isoperimetric ratio.
 inline bool is_too_long(double length, const Parting& parting, double maximum_isoperimetric_ratio)
 {
-  return parting.is_separating() && isoperimetric_ratio(length, parting.areas) > maximum_isoperimetric_ratio;
+  return parting.is_separating() && isoperimetric_ratio(length, parting) > maximum_isoperimetric_ratio;
 }
 
 // A curve along the boundary can leave nothing on one side, and sums of areas have an error of less than this share.
@@ -80,18 +92,21 @@ public:
   // with this area between the two.
   Parting part(const std::vector<Index>& path, double between = 0) const
   {
-    const double whole = m_cycles.area_of_component(m_pm.face(m_pm.outgoing(path[0])));
-    Parting result = {m_cycles.homology_class(path), {{whole, whole}}};
+    const Index face = m_pm.face(m_pm.outgoing(path[0]));
+    const double whole = m_cycles.area_of_component(face), holes = m_cycles.hole_area_of_component(face);
+    Parting result = {m_cycles.homology_class(path), {{whole, whole}}, {{holes, holes}}};
     if(!result.is_separating())
       return result;
-    double left = m_cycles.area_on_left(path) + between;
-    while(left < 0)
-      left += whole;
-    while(left > whole)
-      left -= whole;
+    double left = m_cycles.area_on_left(path) + between, holes_on_left = m_cycles.hole_area_on_left(path);
+    for(; left < 0; left += whole)
+      holes_on_left += holes;
+    for(; left > whole; left -= whole)
+      holes_on_left -= holes;
+    holes_on_left = (std::max)(0.0, (std::min)(holes_on_left, holes));
     if(m_pm.has_boundary() && (std::min)(left, whole - left) < empty_side_tolerance * whole)
       left = m_cycles.has_only_ghosts_on_left(path) ? 0 : whole;
     result.areas = {{left, whole - left}};
+    result.hole_areas = {{holes_on_left, holes - holes_on_left}};
     return result;
   }
 

@@ -75,7 +75,7 @@ public:
     data.homology_class.assign(parting.homology_class.begin(), parting.homology_class.end());
     data.areas = {{parting.areas[0] * unit * unit, parting.areas[1] * unit * unit}};
     data.genera = m_sides.genera(points, parting.is_separating());
-    data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting.areas);
+    data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting);
     const Curve_measures measures = curve_measures(m_pm, points);
     data.roundness = measures.roundness;
     data.centroid = {{unit * measures.centroid.x, unit * measures.centroid.y, unit * measures.centroid.z}};

@@ -41,6 +41,9 @@ public:
   // the area of the component that a face belongs to
   double area_of_component(Index f) const { return m_area[m_root[f]]; }
 
+  // The area of what would fill the holes of the component that a face belongs to, flat.
+  double hole_area_of_component(Index f) const { return hole_area_of_subtree(m_root[f]); }
+
   // a face that stands for the component that a face belongs to
   Index component(Index f) const { return m_root[f]; }
 
@@ -105,6 +108,15 @@ public:
   {
     double sum = 0;
     for_each_subtree_beside(path, [&](Index f, int sign) { sum += sign * m_area[f]; });
+    return sum;
+  }
+
+  // As `area_on_left()`, of what would fill the holes.
+  double hole_area_on_left(const std::vector<Index>& path) const
+  {
+    double sum = 0;
+    if(m_pm.has_boundary())
+      for_each_subtree_beside(path, [&](Index f, int sign) { sum += sign * hole_area_of_subtree(f); });
     return sum;
   }
 
@@ -212,6 +224,41 @@ private:
                : static_cast<long>(m_ghosts_before[m_end[f]]) - static_cast<long>(m_ghosts_before[m_first[f]]);
   }
 
+  double hole_area_of_subtree(Index f) const
+  {
+    return m_hole_area_before.empty() ? 0 : m_hole_area_before[m_end[f]] - m_hole_area_before[m_first[f]];
+  }
+
+  // By hole, the length of the area vector of its boundary, in equal shares of its ghost faces: that is the area of a
+  // flat hole, and of one whose boundary is jagged about that of a sheet across it.
+  std::vector<double> hole_area_per_ghost() const
+  {
+    const std::size_t n = m_pm.number_of_holes(), first = m_pm.number_of_vertex_ids() - n;
+    std::vector<Vector3> sum(n, Vector3{0, 0, 0});
+    std::vector<std::size_t> ghosts(n, 0);
+    std::vector<Index> origin(n, null_index);
+    for(Index f = 0; f < m_pm.number_of_face_ids(); ++f)
+    {
+      if(!m_pm.is_face(f) || !m_pm.is_ghost_face(f))
+        continue;
+      Index h = 3 * f;
+      while(!m_pm.is_ghost_vertex(m_pm.source(h)))
+        ++h;
+      const Index from = m_pm.target(h), to = m_pm.source(m_pm.prev(h));
+      const std::size_t hole = m_pm.source(h) - first;
+      if(origin[hole] == null_index)
+        origin[hole] = from;
+      const auto& o = m_pm.point(origin[hole]);
+      sum[hole] = sum[hole] + cross(vector(o, m_pm.point(from)), vector(o, m_pm.point(to)));
+      ++ghosts[hole];
+    }
+    std::vector<double> result(n, 0);
+    for(std::size_t i = 0; i < n; ++i)
+      if(ghosts[i] > 0)
+        result[i] = norm(sum[i]) / 2 / static_cast<double>(ghosts[i]);
+    return result;
+  }
+
   // The subtrees of faces that a path turns off, and 1 or -1 for whether their top is on its left or on its right.
   template <class F>
   void for_each_subtree_beside(const std::vector<Index>& path, const F& f) const
@@ -317,6 +364,16 @@ private:
     m_ghosts_before.assign(1, 0);
     for(Index f : order)
       m_ghosts_before.push_back(m_ghosts_before.back() + (m_pm.is_ghost_face(f) ? 1 : 0));
+    const std::vector<double> share = hole_area_per_ghost();
+    m_hole_area_before.assign(1, 0);
+    for(Index f : order)
+    {
+      double area = 0;
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        if(m_pm.is_ghost_vertex(m_pm.source(h)))
+          area = share[m_pm.source(h) - (m_pm.number_of_vertex_ids() - share.size())];
+      m_hole_area_before.push_back(m_hole_area_before.back() + area);
+    }
   }
 
   static double face_area(const Progressive_mesh& pm, Index f)
@@ -335,6 +392,7 @@ private:
   std::vector<Index> m_number_of_vertices; // that belong to the faces of the subtree of a face
   std::vector<double> m_area_before;       // by the number of a face
   std::vector<Index> m_ghosts_before;      // by the number of a face; empty if there are none
+  std::vector<double> m_hole_area_before;  // by the number of a face; empty if there are no holes
   std::vector<Index> m_left_over;          // edges neither in the tree of vertices nor crossed by that of faces
 };
 
