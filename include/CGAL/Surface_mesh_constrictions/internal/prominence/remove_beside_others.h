@@ -2,6 +2,8 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_REMOVE_BESIDE_OTHERS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_REMOVE_BESIDE_OTHERS_H
 
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/rivals.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,33 +16,49 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // The area that a constriction sweeps on the way along dominated_by() to the first one that is selected and no less
-// prominent, relative to its squared length. Infinite if there is none. With a greater threshold of prominence that one
-// is still there, so that what is removed for it stays so.
+// prominent, or that stays and is hardly less, relative to its squared length. Infinite if there is none. With a greater
+// threshold of prominence one that is no less prominent is still there, so that what is removed for it stays so.
 template <class Constriction>
-double isolation_among(const std::vector<Constriction>& given, const std::vector<bool>& is_selected, std::size_t i)
+double isolation_among(const std::vector<Constriction>& given, const std::vector<bool>& is_selected,
+                       const std::vector<bool>& stays, std::size_t i)
 {
   double area = 0;
-  for(std::optional<std::size_t> j = i; j; j = given[*j].dominated_by())
+  for(std::size_t j = i;;)
   {
-    if(*j != i && is_selected[*j] && given[*j].prominence() >= given[i].prominence())
+    area += given[j].isolation() * std::pow(given[j].length(), 2);
+    if(!given[j].dominated_by())
+      return (std::numeric_limits<double>::infinity)();
+    j = *given[j].dominated_by();
+    if((is_selected[j] && given[j].prominence() >= given[i].prominence()) ||
+       (stays[j] && are_alike(given[i].prominence(), given[j].prominence())))
       return area / std::pow(given[i].length(), 2);
-    area += given[*j].isolation() * std::pow(given[*j].length(), 2);
   }
-  return (std::numeric_limits<double>::infinity)();
 }
 
-// Removes from those selected the ones that lie beside a more prominent one, with less isolation. Each is judged among
-// all that were selected, so of a row of them the last one stays. Rims stay if they are asked for.
-// Cost: the ways along dominated_by().
+// Removes from those selected the ones that lie beside a more prominent one, or one that is hardly less prominent, with
+// less isolation. For a more prominent one each is judged among all that were selected, so of a row of them the last one
+// stays; for another one only if that stays itself, or a row would fade away. Rims stay if they are asked for.
+// Cost: the square of the ways along dominated_by().
 template <class Constriction>
 void remove_beside_others(const std::vector<Constriction>& given, const std::vector<bool>& is_selected,
                           double minimum_isolation, bool with_rims, std::vector<std::size_t>& selected)
 {
-  selected.erase(std::remove_if(selected.begin(), selected.end(),
-                                [&](std::size_t i) {
-                                  return !(with_rims && given[i].is_rim()) &&
-                                         isolation_among(given, is_selected, i) < minimum_isolation;
-                                }),
+  std::vector<bool> stays(given.size(), false), is_judged(given.size(), false);
+  std::vector<std::size_t> way;
+  for(std::size_t i : selected)
+  {
+    way.clear();
+    for(std::optional<std::size_t> j = i; j && !is_judged[*j]; j = given[*j].dominated_by())
+      way.push_back(*j);
+    for(; !way.empty(); way.pop_back()) // what dominates comes first
+    {
+      const std::size_t j = way.back();
+      is_judged[j] = true;
+      stays[j] = is_selected[j] && ((with_rims && given[j].is_rim()) ||
+                                    isolation_among(given, is_selected, stays, j) >= minimum_isolation);
+    }
+  }
+  selected.erase(std::remove_if(selected.begin(), selected.end(), [&stays](std::size_t i) { return !stays[i]; }),
                  selected.end());
 }
 
