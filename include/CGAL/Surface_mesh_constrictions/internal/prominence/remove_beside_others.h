@@ -22,16 +22,16 @@ template <class Constriction>
 double isolation_among(const std::vector<Constriction>& given, const std::vector<bool>& is_selected,
                        const std::vector<bool>& stays, std::size_t i)
 {
-  double area = 0;
+  double isolation = 0; // squared lengths may overflow, ratios do not
   for(std::size_t j = i;;)
   {
-    area += given[j].isolation() * std::pow(given[j].length(), 2);
+    isolation += given[j].isolation() * std::pow(given[j].length() / given[i].length(), 2);
     if(!given[j].dominated_by())
       return (std::numeric_limits<double>::infinity)();
     j = *given[j].dominated_by();
     if((is_selected[j] && given[j].prominence() >= given[i].prominence()) ||
        (stays[j] && are_alike(given[i].prominence(), given[j].prominence())))
-      return area / std::pow(given[i].length(), 2);
+      return isolation;
   }
 }
 
