@@ -100,6 +100,23 @@ TEST(Selection, OfThoseThatLieBesideEachOtherTheMoreProminentIsSelected)
   EXPECT_EQ(selected[1].dominated_by(), std::optional<std::size_t>(0));
 }
 
+// 2 lies beside one that is hardly less prominent and is selected, 3 beside one that is not, and farther from the next.
+TEST(Selection, WhatLiesBesideASelectedOneThatIsHardlyLessProminentIsNotSelected)
+{
+  for(double unit : {1., 1e-200, 1e200})
+  {
+    std::vector<Constriction> given;
+    for(const Constriction& c : {figures(1), beside(0, 0.2, 0.5), beside(1, 0.1, 0.55), beside(2, 0.1, 0.6)})
+    {
+      Constriction::Data data = c.data();
+      data.length = unit;
+      given.push_back(Constriction(data));
+    }
+    EXPECT_EQ(select(given, CGAL::parameters::default_values()), (Doubles{1, 0.6, 0.5})) << unit;
+    EXPECT_EQ(select(given, params::minimum_isolation(0.05)), (Doubles{1, 0.6, 0.55, 0.5})) << unit;
+  }
+}
+
 TEST(Selection, TheIsoperimetricRatioCountsForSeparatingCurvesOnly)
 {
   const std::vector<Constriction> given = {figures(1, 0.3), figures(0.9, 0.25), figures(0.8, 0)};
