@@ -233,7 +233,7 @@ private:
   }
 
   // Curves that are one on the level on which they were measured have all been given the prominence of their place. The
-  // first of them keeps it; what parts the others from it is too fine for that level, and is measured on the input.
+  // first of them keeps it; what parts the others from it is too fine for that level, and is looked for on the input.
   void part_places(const std::vector<Found_curve>& found)
   {
     const std::vector<std::size_t> rank = ranks(found);
@@ -244,9 +244,9 @@ private:
     for(std::size_t i : order)
     {
       const Entry* const e = entry(found[i].curve);
-      if(e == nullptr || e->place == 0 || e->prominence < negligible_prominence || places.insert(e->place).second)
+      if(e == nullptr || e->place == 0 || e->prominence < negligible_prominence || places.insert(e->place).second ||
+         !m_on_input.insert(found[i].curve).second)
         continue;
-      m_on_input.insert(found[i].curve);
       forget(found[i].curve);
     }
   }
@@ -377,7 +377,7 @@ private:
   std::vector<std::optional<Entry>> m_entries;     // by seed: set for one seed of each curve that has been measured
   std::unordered_map<std::size_t, Index> m_curves; // by seed: that a curve that was measured slides to
   std::unordered_set<Index> m_without_ties;        // curves of the network
-  std::unordered_set<Index> m_on_input;            // curves of the network that are measured on no level
+  std::unordered_set<Index> m_on_input;            // curves of the network whose neighbours are looked for on the input
   std::vector<Index> m_passed;                     // curves of the network that are not found, but were measured
 };
 

@@ -60,6 +60,9 @@ public:
 
 private:
   static constexpr std::size_t most_searches = 4, least_group_size = 16;
+  // What parts curves that are one on a level is hardly higher than this. If nothing is found up to there, the level is
+  // right.
+  static constexpr double greatest_within_place = 0.1;
 
   struct Searches
   {
@@ -79,8 +82,14 @@ private:
   {
     Barrier_search& input = searches.on_input;
     constexpr double infinity = (std::numeric_limits<double>::infinity)();
-    if(searches.on_levels.empty() || !curve.with_ties || curve.on_input)
+    if(searches.on_levels.empty() || !curve.with_ties)
       return prominence(input, curve, infinity);
+    if(curve.on_input)
+    {
+      const Prominence p = prominence(input, curve, greatest_within_place);
+      if(p.end != Barrier_end::BEYOND)
+        return p;
+    }
     const Barrier over_vertices = input.search_vertices(curve.arcs, curve.separates, infinity);
     Prominence lowest = prominence_from(input, over_vertices, curve.length);
     if(lowest.value <= negligible_prominence)

@@ -24,7 +24,7 @@ struct Measured_curve
   double length;
   bool separates;
   bool with_ties = true; // whether another curve of the same length may stand for it
-  bool on_input = false; // whether it is not to be measured on a coarser level
+  bool on_input = false; // whether what is near is first looked for on the input
 };
 
 // A barrier relative to the length of its curve, less one, and what lies behind it.
