@@ -51,15 +51,15 @@ struct Geodesic_loop
 
   bool is_closed_geodesic = false; ///< whether both angles at the first location are at least pi, but for rounding
 
-  bool separating = false;                   ///< see `Constriction::is_separating()`
-  std::array<double, 2> areas = {{0, 0}};    ///< see `Constriction::areas()`
+  bool separating = false;                      ///< see `Constriction::is_separating()`
+  std::array<double, 2> areas = {{0, 0}};       ///< see `Constriction::areas()`
   std::array<std::size_t, 2> genera = {{0, 0}}; ///< see `Constriction::genera()`
-  double isoperimetric_ratio = 0;            ///< see `Constriction::isoperimetric_ratio()`
-  double roundness = 0;                      ///< see `Constriction::roundness()`
+  double isoperimetric_ratio = 0;               ///< see `Constriction::isoperimetric_ratio()`
+  double roundness = 0;                         ///< see `Constriction::roundness()`
   std::array<double, 3> centroid = {{0, 0, 0}}; ///< see `Constriction::centroid()`
   std::array<double, 3> normal = {{0, 0, 0}};   ///< see `Constriction::normal()`
-  Side side = Side::MIXED;                   ///< see `Constriction::side()`
-  double boundary_share = 0;                 ///< see `Constriction::boundary_share()`
+  Side side = Side::MIXED;                      ///< see `Constriction::side()`
+  double boundary_share = 0;                    ///< see `Constriction::boundary_share()`
 
   /// how the loop ends when it is let go on the side of the smaller angle, and tightened
   Tightening_verdict verdict = Tightening_verdict::DEGENERATE;
@@ -69,8 +69,8 @@ struct Geodesic_loop
   Constriction<TriangleMesh> let_go;
 
   /// whether the loop shrinks to a point when it is let go. It encloses a tip then: by the theorem of Gauss and Bonnet
-  /// the angle defects of the vertices strictly inside a disc that it bounds add up to pi and its angle at the location
-  /// on that side, as at the apex of a cone that is steeper than 60 degrees.
+  /// the angle defects of the vertices strictly inside a disc that it bounds add up to no less than pi and its angle at
+  /// the location on that side, which is more than at the apex of a cone of 60 degrees.
   bool encloses_tip() const { return verdict == Tightening_verdict::DEGENERATE; }
 
   /// writes the points of the loop, in the order of `locations`, to `out`.

@@ -32,7 +32,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-struct Geodesic_loop_parameters : Mesh_parameters::With<internal_np::certify_t, internal_np::maximum_number_of_loops_t>
+struct Geodesic_loop_parameters : Mesh_parameters::With<internal_np::certify_t, internal_np::maximum_number_of_loops_t,
+                                                        internal_np::minimum_loop_angle_t>
 {};
 
 // What `geodesic_loops_at_location()` does with arguments of the right kind.
@@ -50,15 +51,16 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 /// angles of at least pi at each other vertex, `Geodesic_loop`. Geodesic loops go through the cut locus of the location,
 /// where two shortest paths from it meet, and there through the local minima of the distance, which are its saddles.
 /// These are looked for with shortest paths along edges: to each belongs the loop of edges through it, and the lesser
-/// part that it cuts off reaches further by some share, its persistence. The 256 loops of greatest persistence, among
-/// them all of a greedy homotopy basis \cgalCite{ew-gohhg-05}, are tightened with the location held.
+/// part that it cuts off reaches further by some share, its persistence. The 4096 loops of greatest persistence, among
+/// them all of a greedy homotopy basis \cgalCite{ew_gohhg_05}, are tightened with the location held.
 ///
-/// The answer is the shortest of the simple geodesic loops that come up. A loop that shrinks to the location while it is
-/// held there is none. What remains is of two kinds, which the result tells apart: a loop that comes to rest, as a rule
-/// at a constriction, when it is let go; and one that shrinks to a point then, `Geodesic_loop::encloses_tip()`: it
-/// slides off over a tip that is as steep as the apex of a cone of 60 degrees, or steeper, a finger's say. Around a body
-/// without such a tip, as a ball, there may be no loop; nothing is written then. If the location lies on a constriction,
-/// that is one of the loops, `Geodesic_loop::is_closed_geodesic`.
+/// The answer is the shortest of the simple geodesic loops that come up; with `minimum_loop_angle`, of those with such
+/// an angle at the location. A loop that shrinks to the location while it is held there is none, and one that crosses or
+/// touches itself is left out. What remains is of two kinds, which the result tells apart: a loop that comes to rest,
+/// as a rule at a constriction, when it is let go; and one that shrinks to a point then,
+/// `Geodesic_loop::encloses_tip()`: it slides off over a tip that is steeper than the apex of a cone of 60 degrees, a
+/// finger's say. On a body without such a tip, as a ball, there may be no loop; nothing is written then. If the location
+/// lies on a constriction, that is one of the loops, `Geodesic_loop::is_closed_geodesic`.
 ///
 /// A location inside a face or on an edge is put into a copy of the mesh as a vertex, to which it is rounded; results
 /// are on `tm`. Barycentric coordinates of less than \f$10^{-6}\f$ are taken to be zero.
@@ -91,6 +93,13 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{1}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_loop_angle}
+///     \cgalParamDescription{the angle that a loop has at least, in radians, on the side of the location where it is
+///                           smaller: it is near pi around a tube, and small where a loop runs to a limb, around it,
+///                           and back}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether the curves that loops become when they are let go are certified with exact
 ///                           arithmetic, and corrected where rounding has led them astray. The loops themselves rest on
@@ -105,7 +114,7 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 ///         that is not on the mesh: an isolated vertex, a vertex or a face that is not one of `tm`, or barycentric
 ///         coordinates that are negative or do not add up to 1; and, with `certify`, for a coordinate that is no
 ///         rational number of moderate size
-/// \cost O(n log n) for n faces, plus for each of the 256 loops linear in the lengths of the strips that it is led
+/// \cost O(n log n) for n faces, plus for each of the 4096 loops linear in the lengths of the strips that it is led
 ///       through until it is what another one was on its way, plus for each loop that is written the cost of
 ///       `tighten_closed_curve()`
 ///
@@ -138,6 +147,7 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
   const std::size_t maximum_number =
       choose_parameter(get_parameter(np, internal_np::maximum_number_of_loops), std::size_t(1));
+  const double minimum_angle = choose_parameter(get_parameter(np, internal_np::minimum_loop_angle), 0.0);
 
   Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();
@@ -148,7 +158,7 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
   if(inserted.is_changed)
     changed.emplace(std::move(inserted.table), std::move(inserted.points));
 
-  std::vector<std::vector<Arc>> loops = held_loops(changed ? *changed : pm, inserted.vertex);
+  std::vector<std::vector<Arc>> loops = held_loops(changed ? *changed : pm, inserted.vertex, minimum_angle);
   if(loops.size() > maximum_number)
     loops.resize(maximum_number);
   if(loops.empty())

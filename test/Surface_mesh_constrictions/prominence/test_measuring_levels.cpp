@@ -123,10 +123,9 @@ TEST(MeasuringLevels, TheNecksOfALargeSurfaceAreAsProminentAsMeasuredOnTheInput)
       EXPECT_EQ(curves[i].dominated_by().has_value(), measured[i].dominated_by().has_value()) << i;
     }
     for(double radius : {0.3, 0.4, 0.5, 0.6})
-      EXPECT_EQ(std::count_if(curves.begin(), curves.end(),
-                              [&](const Constriction& c) {
-                                return std::abs(c.length() / (2 * CGAL_PI * radius) - 1) < 0.02;
-                              }),
+      EXPECT_EQ(std::count_if(
+                    curves.begin(), curves.end(),
+                    [&](const Constriction& c) { return std::abs(c.length() / (2 * CGAL_PI * radius) - 1) < 0.02; }),
                 1)
           << radius;
   }

@@ -98,8 +98,7 @@ private:
         result.locations.push_back(held());
       else
       {
-        result.pivots.push_back(
-            {m_imported.vertex(p.pivot), result.locations.size(), angles.left, angles.right});
+        result.pivots.push_back({m_imported.vertex(p.pivot), result.locations.size(), angles.left, angles.right});
         result.locations.push_back(corner(m_pm.outgoing(p.pivot)));
       }
     }

@@ -26,9 +26,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// As many loops of edges are tightened at most. On models with limbs the loops that lead to geodesic loops are among
-// the first 20.
-constexpr std::size_t max_held_seeds = 256;
+// As many loops of edges are tightened at most. Most of them soon become what another one was.
+constexpr std::size_t max_held_seeds = 4096;
 
 // Loops of edges are looked for on a surface with no fewer vertices than this.
 constexpr std::size_t least_held_vertices = 4096;
@@ -132,9 +131,9 @@ private:
 };
 
 // The simple geodesic loops at a vertex that loops of edges at it are tightened to while they are held there, each once,
-// the shortest first. Each starts at the vertex.
+// the shortest first: those with no smaller angle at the vertex than this. Each starts at the vertex.
 // Cost: O(n log n) for the loops of edges, plus that of tightening each until it is what another one was on its way.
-inline std::vector<std::vector<Arc>> held_loops(const Progressive_mesh& pm, Index vertex)
+inline std::vector<std::vector<Arc>> held_loops(const Progressive_mesh& pm, Index vertex, double minimum_angle)
 {
   Held_curves curves(pm, vertex);
   if(pm.number_of_vertices() >= least_held_vertices)
@@ -156,8 +155,11 @@ inline std::vector<std::vector<Arc>> held_loops(const Progressive_mesh& pm, Inde
 
   std::vector<std::vector<Arc>> loops;
   for(const std::vector<Arc>& arcs : curves.ends())
-    if(is_simple(pm, trace(pm, arcs)))
+  {
+    const Side_angles angles = side_angles(pm, arcs.back(), arcs.front());
+    if((std::min)(angles.left, angles.right) >= minimum_angle && is_simple(pm, trace(pm, arcs)))
       loops.push_back(arcs);
+  }
   std::stable_sort(loops.begin(), loops.end(),
                    [](const auto& a, const auto& b) { return total_length(a) < total_length(b); });
   return loops;
