@@ -58,7 +58,7 @@ TEST_F(Girth, around_a_tube_inside_a_face)
   EXPECT_TRUE(c["held"]["closed_geodesic"]);
   EXPECT_EQ(c["held"]["let_go"], "constriction");
   EXPECT_NEAR(c["held"]["let_go_length"], 4, 1e-12);
-  EXPECT_NEAR(c["held"]["left_angle"], CGAL_PI, 1e-9);
+  EXPECT_NEAR(c["held"]["left_angle"], 3.14159265358979, 1e-9);
   for(const json& b : c["locations"][0]["barycentric"])
     EXPECT_GT(b, 0.1);
 }
@@ -100,8 +100,7 @@ TEST_F(Girth, the_next_ones_and_the_angle)
   for(std::size_t i = 0; i < 4; ++i)
   {
     EXPECT_EQ(few[i]["id"], i);
-    if(i > 0)
-      EXPECT_LE(few[i - 1]["length"], few[i]["length"]);
+    EXPECT_LE(few[i == 0 ? 0 : i - 1]["length"], few[i]["length"]);
   }
   const json wide = girth(hand + " --min-angle 1")["constrictions"];
   ASSERT_EQ(wide.size(), 1u);

@@ -38,12 +38,13 @@ Surface_location given_location(const Imported_mesh<TriangleMesh>& imported, Ver
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   const Index faces = static_cast<Index>(imported.number_of_faces());
-  if constexpr(std::is_same_v<Location, typename Graph_traits::vertex_descriptor>)
+  if constexpr(std::is_convertible_v<Location, typename Graph_traits::vertex_descriptor>)
   {
-    for(Index v = 0; v < imported.number_of_vertices() && location != Graph_traits::null_vertex(); ++v)
+    const typename Graph_traits::vertex_descriptor given = location;
+    for(Index v = 0; v < imported.number_of_vertices() && given != Graph_traits::null_vertex(); ++v)
     {
       const Index h = imported.table.outgoing[v];
-      if(h == null_index || get(vim, imported.vertex(v)) != get(vim, location))
+      if(h == null_index || get(vim, imported.vertex(v)) != get(vim, given))
         continue;
       Surface_location result = {h / 3, {{0, 0, 0}}};
       result.barycentric[h % 3] = 1;
@@ -52,7 +53,7 @@ Surface_location given_location(const Imported_mesh<TriangleMesh>& imported, Ver
     throw Invalid_input(Input_defect::INVALID_LOCATION, 0,
                         "invalid location: it is a vertex that is isolated or not one of the mesh");
   }
-  else if constexpr(std::is_same_v<Location, typename Constriction<TriangleMesh>::Face_location>)
+  else if constexpr(std::is_convertible_v<Location, typename Constriction<TriangleMesh>::Face_location>)
   {
     double sum = 0;
     for(std::size_t i = 0; i < 3; ++i)
