@@ -48,32 +48,32 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 /// or not; and, if asked for, the next ones.
 ///
 /// A closed curve that is held at a location and tightened becomes a geodesic loop: straight everywhere else, with side
-/// angles of at least pi at each other vertex, `Geodesic_loop`. Geodesic loops go through the cut locus of the location,
-/// where two shortest paths from it meet, and there through the local minima of the distance, which are its saddles.
-/// These are looked for with shortest paths along edges: to each belongs the loop of edges through it, and the lesser
-/// part that it cuts off reaches further by some share, its persistence. The 4096 loops of greatest persistence, among
-/// them all of a greedy homotopy basis \cgalCite{ew_gohhg_05}, are tightened with the location held.
+/// angles of at least pi at each other vertex, `Geodesic_loop`. Geodesic loops go through the cut locus of the
+/// location, where two shortest paths from it meet, and there through the local minima of the distance, which are its
+/// saddles. These are looked for with shortest paths along edges: to each belongs the loop of edges through it, and the
+/// lesser part that it cuts off reaches further by some share, its persistence. The 4096 loops of greatest persistence,
+/// among them all of a greedy homotopy basis \cgalCite{ew_gohhg_05}, are tightened with the location held.
 ///
 /// The answer is the shortest of the simple geodesic loops that come up; with `minimum_loop_angle`, of those with such
-/// an angle at the location. A loop that shrinks to the location while it is held there is none, and one that crosses or
-/// touches itself is left out. What remains is of two kinds, which the result tells apart: a loop that comes to rest,
-/// as a rule at a constriction, when it is let go; and one that shrinks to a point then,
+/// an angle at the location. A loop that shrinks to the location while it is held there is none, and one that crosses
+/// or touches itself is left out. What remains is of two kinds, which the result tells apart: a loop that comes to
+/// rest, as a rule at a constriction, when it is let go; and one that shrinks to a point then,
 /// `Geodesic_loop::encloses_tip()`: it slides off over a tip that is steeper than the apex of a cone of 60 degrees, a
-/// finger's say. On a body without such a tip, as a ball, there may be no loop; nothing is written then. If the location
-/// lies on a constriction, that is one of the loops, `Geodesic_loop::is_closed_geodesic`.
+/// finger's say. On a body without such a tip, as a ball, there may be no loop; nothing is written then. If the
+/// location lies on a constriction, that is one of the loops, `Geodesic_loop::is_closed_geodesic`.
 ///
 /// A location inside a face or on an edge is put into a copy of the mesh as a vertex, to which it is rounded; results
 /// are on `tm`. Barycentric coordinates of less than \f$10^{-6}\f$ are taken to be zero.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \tparam Location a vertex descriptor of `TriangleMesh`, or `Constriction<TriangleMesh>::Face_location`, or a 3D point
-///         of any kernel
+/// \tparam Location a vertex descriptor of `TriangleMesh`, or `Constriction<TriangleMesh>::Face_location`, or a 3D
+///         point of any kernel
 /// \tparam OutputIterator takes `Geodesic_loop<TriangleMesh>`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tm a triangle mesh, closed or with boundary, any genus, any number of connected components
-/// \param location where the loops are held. For a point in space, on the surface or not, it is the point of the surface
-///        that is nearest to it.
+/// \param location where the loops are held. For a point in space, on the surface or not, it is the point of the
+///        surface that is nearest to it.
 /// \param out the loops, the shortest first
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
 ///

@@ -34,8 +34,8 @@ constexpr std::size_t least_held_vertices = 4096;
 
 // A closed curve through vertices some of which have been put into the faces and edges of a coarser surface, as arcs of
 // that surface: the curve is led past each vertex that is not kept, on the side of the smaller angle, and pulled
-// straight between those that are. It is no longer but for rounding. No arcs if it is a point.
-// old_of(h) is the halfedge that h is a piece of, or null_index if it lies in a face. Linear in the strips of the curve.
+// straight between those that are. It is no longer but for rounding. No arcs if it is a point. old_of(h) is the
+// halfedge that h is a piece of, or null_index if it lies in a face. Linear in the strips of the curve.
 template <class OldOf, class IsKept>
 std::vector<Arc> arcs_without_vertices(const Progressive_mesh& fine, std::vector<Arc> loop, const OldOf& old_of,
                                        const IsKept& is_kept, const Progressive_mesh& coarse)
@@ -130,8 +130,8 @@ private:
   std::vector<std::vector<Arc>> m_ends;
 };
 
-// The simple geodesic loops at a vertex that loops of edges at it are tightened to while they are held there, each once,
-// the shortest first: those with no smaller angle at the vertex than this. Each starts at the vertex.
+// The simple geodesic loops at a vertex that loops of edges at it are tightened to while they are held there, each
+// once, the shortest first: those with no smaller angle at the vertex than this. Each starts at the vertex.
 // Cost: O(n log n) for the loops of edges, plus that of tightening each until it is what another one was on its way.
 inline std::vector<std::vector<Arc>> held_loops(const Progressive_mesh& pm, Index vertex, double minimum_angle)
 {
