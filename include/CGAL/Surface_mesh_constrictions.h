@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+#include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Local_boundary_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>
@@ -30,6 +31,7 @@
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions_near.h>
 #include <CGAL/Surface_mesh_constrictions/extract_parts.h>
+#include <CGAL/Surface_mesh_constrictions/geodesic_loops_at_location.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>

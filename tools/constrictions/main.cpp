@@ -133,6 +133,18 @@ void tighten(const Options& options, const Loops& loops, Stage_monitor& monitor,
   }
 }
 
+void girth(const Options& options, Stage_monitor& monitor, Report& report)
+{
+  try
+  {
+    find_girth(options.girth, options.search.certifies, monitor, report);
+  }
+  catch(const Invalid_input& e)
+  {
+    throw with_hint(e, report.file);
+  }
+}
+
 void write_parts(const Options& options, const Report& report, const Parts& parts)
 {
   // parts.json is the last, as it says which files of parts there are
@@ -231,6 +243,8 @@ void run(const Options& options)
     Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
     if(options.command == Command::TIGHTEN)
       tighten(options, loops, monitor, report);
+    else if(options.command == Command::GIRTH)
+      girth(options, monitor, report);
     else if(options.command == Command::VIEW)
       detect(options, selection_for_page(options), monitor, report, &levels);
     else
@@ -243,7 +257,8 @@ void run(const Options& options)
     report.seconds.select = monitor.seconds(Detection_stage::SELECTION);
   }
   tell_of_repairs(options.mesh, report.file);
-  report.hint = hint_at_all(options, report);
+  if(options.command != Command::GIRTH)
+    report.hint = hint_at_all(options, report);
   if(options.command == Command::VIEW)
   {
     write_page(options, report, levels);

@@ -46,6 +46,8 @@ const char* const examples =
     "      prints the constriction nearest to a place: the loop around a finger\n"
     "  constrictions detect bone.ply --max-length 30 --csv necks.csv\n"
     "      writes a table, for spreadsheets, of the constrictions that are no longer than 30\n"
+    "  constrictions girth hand.ply --at 1.5,0,-2\n"
+    "      prints the length of the shortest loop around the finger through a place, narrow there or not\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
     "  constrictions segment bone.ply -o parts --side object\n"
@@ -274,15 +276,18 @@ void add_view_options(CLI::App& command, Options& options)
       "\nA slider in the page shows more curves: weaker ones, down to a prominence of 0.01, or all with --all.\n");
 }
 
-void add_selection_options(CLI::App& command, Selection& selection)
+CLI::Validator not_negative()
 {
-  const CLI::Validator not_negative(
+  return CLI::Validator(
       [](const std::string& text) {
         double value = 0;
         return CLI::detail::lexical_cast(text, value) && value >= 0 ? "" : "give a number that is not negative";
       },
       "");
+}
 
+void add_selection_options(CLI::App& command, Selection& selection)
+{
   command.add_flag("--all", selection.all, "report every distinct closed geodesic found, no selection");
   command.add_flag("--rims", selection.rims,
                    "report also curves that run along the boundary of a hole for most of their length");
@@ -296,32 +301,32 @@ void add_selection_options(CLI::App& command, Selection& selection)
                   "leave out curves that slide to a shorter one, or off, when they are made longer by less than this "
                   "share of their length")
       ->type_name("P")
-      ->check(not_negative);
+      ->check(not_negative());
   command
       .add_option(
           "--min-isolation", selection.minimum_isolation,
           "leave out curves that lie beside a more prominent one: the area between the two, divided by length^2, "
           "is less than this")
       ->type_name("I")
-      ->check(not_negative);
+      ->check(not_negative());
   command
       .add_option(
           "--max-ratio", selection.maximum_ratio,
           "leave out curves that cut off too little: length^2 / (4 pi area) is greater than this; it is 0.5 for "
           "the equator of a sphere")
       ->type_name("R")
-      ->check(not_negative);
+      ->check(not_negative());
   command
       .add_option("--min-length", selection.minimum_length,
                   "of the curves that are selected leave out those that are shorter than this, in the unit of the "
                   "mesh; --max counts those that are left")
       ->type_name("L")
-      ->check(not_negative);
+      ->check(not_negative());
   command
       .add_option("--max-length", selection.maximum_length,
                   "of the curves that are selected leave out those that are longer than this")
       ->type_name("L")
-      ->check(not_negative);
+      ->check(not_negative());
 }
 
 // Three numbers separated by commas.
@@ -340,20 +345,44 @@ std::optional<std::array<double, 3>> parse_location(const std::string& text)
   return location;
 }
 
-void add_near_option(CLI::App& command, Search& search)
+CLI::Validator is_location()
 {
-  const CLI::Validator is_location(
+  return CLI::Validator(
       [](const std::string& text) {
         return parse_location(text) ? "" : "give three numbers separated by commas, as in 0.5,-1,2e3";
       },
       "");
+}
+
+void add_near_option(CLI::App& command, Search& search)
+{
   command
       .add_option_function<std::string>(
           "--near", [&search](const std::string& text) { search.location = parse_location(text); },
           "report the curves near this location, the nearest first: the loop around an arm. Unless --min-prominence "
           "is given, weak ones too")
       ->type_name("X,Y,Z")
-      ->check(is_location);
+      ->check(is_location());
+}
+
+void add_girth_options(CLI::App& command, Girth& girth)
+{
+  command
+      .add_option_function<std::string>(
+          "--at", [&girth](const std::string& text) { girth.location = *parse_location(text); },
+          "hold the loops at this place, or at the point of the surface that is nearest to it")
+      ->type_name("X,Y,Z")
+      ->required()
+      ->check(is_location());
+  command.add_option("--max", girth.maximum_number, "report N loops at most, the shortest ones; 1 if not given")
+      ->type_name("N")
+      ->check(whole_number(1));
+  command
+      .add_option("--min-angle", girth.minimum_angle,
+                  "leave out loops that are bent at the place: whose angle there, in radians, is less than this. It is "
+                  "near 3.14 around a tube, and small where a loop runs to a limb, around it, and back")
+      ->type_name("A")
+      ->check(not_negative());
 }
 
 // Whether a file has a name and a place that segment writes to.
@@ -518,6 +547,10 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   add_near_option(detect, options.search);
   add_seeds(detect, options.search)->excludes("--near");
 
+  CLI::App& girth = *app.add_subcommand("girth", "find the shortest loop around the limb through a place");
+  add_common_options(girth, options);
+  add_girth_options(girth, options.girth);
+
   CLI::App& tighten = *app.add_subcommand("tighten", "shorten given loops until they are constrictions");
   add_common_options(tighten, options);
   tighten
@@ -557,7 +590,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   try
   {
     app.parse(argc, argv);
-    options.command = tighten.parsed()   ? Command::TIGHTEN
+    options.command = girth.parsed()     ? Command::GIRTH
+                      : tighten.parsed() ? Command::TIGHTEN
                       : certify.parsed() ? Command::CERTIFY
                       : segment.parsed() ? Command::SEGMENT
                       : batch.parsed()   ? Command::BATCH

@@ -21,6 +21,7 @@ namespace constrictions {
 enum class Command
 {
   DETECT,
+  GIRTH,
   TIGHTEN,
   CERTIFY,
   SEGMENT,
@@ -57,6 +58,14 @@ struct Search
   std::optional<std::array<double, 3>> location; ///< near which, instead of everywhere
 };
 
+/// Where loops are held, and which of them are reported.
+struct Girth
+{
+  std::array<double, 3> location = {{0, 0, 0}};
+  std::size_t maximum_number = 1;
+  double minimum_angle = 0; ///< radians
+};
+
 /// Which constrictions cut the surface into parts, and what is written of these.
 struct Segmentation
 {
@@ -90,6 +99,7 @@ struct Options
   Reading reading;
   Policy policy = Policy::GARLAND_HECKBERT;
   Search search;
+  Girth girth;
   Selection selection;
   Segmentation segmentation;
   std::optional<std::size_t> threads; ///< at most

@@ -10,7 +10,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What keeps a mesh, or a loop on it, from being used.
+/// What keeps a mesh, or a loop or a location on it, from being used.
 enum class Input_defect
 {
   EMPTY_MESH,               ///< no face
@@ -24,11 +24,12 @@ enum class Input_defect
   NOT_CLOSED,               ///< an edge with one face only, where the surface has to be closed
   NON_MANIFOLD_VERTEX,      ///< a vertex with more than one fan of faces
   INVALID_LOOP,             ///< a loop that is not a closed path of mesh edges
-  IRRATIONAL_COORDINATE     ///< a coordinate of an exact kernel that is not a rational number of moderate size
+  IRRATIONAL_COORDINATE,    ///< a coordinate of an exact kernel that is not a rational number of moderate size
+  INVALID_LOCATION          ///< a location that is not on the mesh
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Thrown by every function of this package that is given a mesh or a loop that it cannot use.
+/// Thrown by every function of this package that is given a mesh, a loop or a location that it cannot use.
 /// The message says what is wrong, and where, in one line.
 class Invalid_input : public std::invalid_argument
 {

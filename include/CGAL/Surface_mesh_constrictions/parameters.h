@@ -119,6 +119,16 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_curve_length)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_constrictions)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// How many geodesic loops are written at most, the shortest ones. Type: `std::size_t`. Default: 1.
+/// Of `geodesic_loops_at_location()`.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_loops)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// The angle that a geodesic loop has at least, in radians, on the side of its location where it is smaller.
+/// Type: `double`. Default: 0. Of `geodesic_loops_at_location()`.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_loop_angle)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// Whether to select also constrictions that cross a more prominent one, there and back, have a rival, or are composed
 /// of shorter ones. Type: `bool`. Default: `false`. Of the detections and the selections.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(crossing_constrictions)

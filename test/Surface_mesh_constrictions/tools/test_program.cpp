@@ -515,7 +515,8 @@ TEST_F(Program, wrong_usage)
 
 TEST_F(Program, help_and_version)
 {
-  for(const char* arguments : {"--help", "detect --help", "tighten --help", "certify --help", "--version"})
+  for(const char* arguments :
+      {"--help", "detect --help", "girth --help", "tighten --help", "certify --help", "--version"})
   {
     const Result r = run(arguments);
     EXPECT_EQ(r.exit_code, 0) << arguments;
@@ -523,7 +524,7 @@ TEST_F(Program, help_and_version)
     EXPECT_NE(r.out, "") << arguments;
   }
   const std::string help = run("--help").out;
-  for(const char* word : {"detect", "tighten", "certify", "Examples", "Exit codes"})
+  for(const char* word : {"detect", "girth", "tighten", "certify", "Examples", "Exit codes"})
     EXPECT_NE(help.find(word), std::string::npos) << word;
 }
 

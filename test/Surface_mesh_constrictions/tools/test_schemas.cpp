@@ -70,13 +70,16 @@ protected:
     for(const char* arguments :
         {"detect dumbbell.off --json -", "detect dumbbell.off --all --no-certify --json -",
          "detect tetrahedron.off --json -", "detect tube.off --rims --json -", "detect twice.off --json -",
-         "detect dumbbell.off --near 4,1.5,1.5 --json -", "tighten dumbbell.off --loops loops.txt --json -",
+         "detect dumbbell.off --near 4,1.5,1.5 --json -", "girth dumbbell.off --at 4.2,1.5,1 --json -",
+         "girth dumbbell.off --at 4,1,1 --json -", "girth tube.off --at 0,0,0.5 --json -",
+         "girth tetrahedron.off --at 1,0,0 --json -", "tighten dumbbell.off --loops loops.txt --json -",
          "check dumbbell.off --json -", "check tube.off --json -", "check twice.off --json -",
          "check nothing.off --json -", "batch dumbbell.off nothing.off missing.off"})
       take_printed(arguments);
     for(const char* name : {"cactus.off", "eight.off", "homer.off"})
       take_printed("detect '" + meshes + name + "' --json -");
     take_printed("detect '" + meshes + "eight.off' --all --json -");
+    take_printed("girth '" + meshes + "cactus.off' --at 0.02,0.2,-0.1 --max 3 --json -");
     write("curves.json", outputs["constrictions/1"].front().dump());
     take_printed("certify dumbbell.off --curves curves.json --json -");
     json open = outputs["constrictions/1"].front();

@@ -33,6 +33,9 @@ std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Select
 /// tightens the loops; fills the constrictions, the statistics and the remarks of the report.
 void tighten_loops(const Loops& loops, bool certifies, Stage_monitor& monitor, Report& report);
 
+/// finds the shortest loops at a place; fills the loops, the curves and the statistics of the report.
+void find_girth(const Girth& girth, bool certifies, Stage_monitor& monitor, Report& report);
+
 /// the certificate of each of the curves
 std::vector<Certified_curve> certify_curves(const Mesh& mesh, const Curves& curves, Stage_monitor& monitor);
 

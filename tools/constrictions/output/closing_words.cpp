@@ -47,7 +47,7 @@ std::string result_as_text(const Report& report)
   for(const std::string& remark : report.remarks)
     out << remark << '\n';
   const std::size_t n = report.constrictions.size();
-  out << n << (n == 1 ? " constriction" : " constrictions");
+  out << n << (report.is_girth ? " loop" : " constriction") << (n == 1 ? "" : "s");
   const auto shortest =
       std::min_element(report.constrictions.begin(), report.constrictions.end(),
                        [](const Constriction& a, const Constriction& b) { return a.length() < b.length(); });

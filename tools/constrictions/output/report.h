@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+#include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
 
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 namespace constrictions {
 
 typedef CGAL::Surface_mesh_constrictions::Constriction<Mesh> Constriction;
+typedef CGAL::Surface_mesh_constrictions::Geodesic_loop<Mesh> Geodesic_loop;
 
 /// Wall time of the stages.
 struct Stage_seconds
@@ -33,7 +35,10 @@ struct Report
   std::string mesh_file;
   Mesh mesh;
   File_record file; ///< how elements of the mesh are called in its file, and what was repaired
+  /// or, of `girth`, the loops, which are no constrictions: without locations, which are those of `loops`
   std::vector<Constriction> constrictions;
+  std::vector<Geodesic_loop> loops; ///< of `girth`, one for each of the above; else empty
+  bool is_girth = false;
   CGAL::Surface_mesh_constrictions::Detection_statistics statistics;
   Stage_seconds seconds;
   std::vector<std::string> remarks; ///< lines about loops of the user that are no constrictions

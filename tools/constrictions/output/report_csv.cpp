@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output/report.h"
 
-#include "output/certificates.h"
+#include "output/curve_of_report.h"
 #include "output/mesh_json.h"
 
 #include <nlohmann/json.hpp>
@@ -48,7 +48,7 @@ std::string field(const std::optional<Number>& number)
 
 // The columns of a curve, each with its name.
 std::vector<std::pair<const char*, std::string>> columns(std::size_t id, const Constriction& c,
-                                                         const File_numbering& numbering)
+                                                         const std::string& verdict, const File_numbering& numbering)
 {
   std::optional<std::size_t> slides_off;
   if(c.slides_off())
@@ -78,7 +78,7 @@ std::vector<std::pair<const char*, std::string>> columns(std::size_t id, const C
           {"dominated_by", field(c.dominated_by())},
           {"slides_off", field(slides_off)},
           {"pivots", field(c.pivots().size())},
-          {"certificate", field(certificate_as_text(c.certificate()))},
+          {"certificate", field(verdict)},
           {"seed_level", field(seed.level)},
           {"seed_origin", field(origin_name(seed.origin))}};
 }
@@ -96,9 +96,10 @@ std::string report_as_csv(const Report& report)
       out += (i == 0 ? "" : ",") + std::string(text_of(line[i]));
     out += '\n';
   };
-  add_line(columns(0, Constriction(example), report.file.numbering), [](const auto& column) { return column.first; });
+  add_line(columns(0, Constriction(example), "", report.file.numbering),
+           [](const auto& column) { return column.first; });
   for(std::size_t id = 0; id < report.constrictions.size(); ++id)
-    add_line(columns(id, report.constrictions[id], report.file.numbering),
+    add_line(columns(id, report.constrictions[id], verdict_on_curve(report, id), report.file.numbering),
              [](const auto& column) { return column.second; });
   return out;
 }

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output/report.h"
 
-#include "output/certificates.h"
+#include "output/curve_of_report.h"
 #include "output/mesh_json.h"
 
 #include <nlohmann/json.hpp>
 
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,10 +35,8 @@ std::uint64_t peak_rss_bytes()
   return unit * static_cast<std::uint64_t>(usage.ru_maxrss);
 }
 
-Json points_as_json(const Constriction& c, const Mesh& mesh)
+Json points_as_json(const std::vector<Mesh::Point>& points)
 {
-  std::vector<Mesh::Point> points;
-  c.points(mesh, std::back_inserter(points));
   Json result = Json::array();
   for(const Mesh::Point& p : points)
     result.push_back({p.x(), p.y(), p.z()});
@@ -57,21 +52,13 @@ Json triangle_as_json(const Mesh& mesh, const File_numbering& numbering, Mesh::F
 }
 
 // Faces and vertices are called as in the file. Barycentric coordinates are in the order of the corners of the face
-// there, or, if it is no triangle, in that of the vertices of the piece that is given with it. Two of them are zero at
-// pivots only: a crossing that rounding has moved to an end of its edge is written beside it, so that its edge can be
-// told from the numbers.
-Json locations_as_json(const Constriction& c, const Mesh& mesh, const File_numbering& numbering)
+// there, or, if it is no triangle, in that of the vertices of the piece that is given with it.
+Json locations_as_json(const std::vector<Constriction::Face_location>& locations, const Mesh& mesh,
+                       const File_numbering& numbering)
 {
-  std::vector<Constriction::Face_location> locations;
-  c.face_locations(mesh, std::back_inserter(locations));
   Json result = Json::array();
-  for(std::size_t i = 0; i < locations.size(); ++i)
+  for(Constriction::Face_location l : locations)
   {
-    Constriction::Face_location l = locations[i];
-    Mesh::Halfedge_index h = mesh.halfedge(l.first);
-    for(std::size_t corner = 0; corner < 3 && !c.locations()[i].is_pivot; ++corner, h = mesh.next(h))
-      if(h == c.locations()[i].halfedge || mesh.prev(h) == c.locations()[i].halfedge)
-        l.second[corner] = (std::max)(l.second[corner], (std::numeric_limits<double>::min)());
     const bool is_piece = numbering.is_piece_of_polygon(l.first);
     if(!is_piece && numbering.is_turned_round(l.first))
       std::swap(l.second[1], l.second[2]);
@@ -112,30 +99,49 @@ Json signs_as_json(const SMC::Sign_statistics& signs)
           {"unproved", signs.unproved}};
 }
 
-Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mesh, const File_numbering& numbering)
+// Where a loop of `girth` is held, and what becomes of it when it is let go.
+Json held_as_json(const Geodesic_loop& loop, const File_numbering& numbering)
 {
-  return {{"id", id},
-          {"length", c.length()},
-          {"points", points_as_json(c, mesh)},
-          {"locations", locations_as_json(c, mesh, numbering)},
-          {"pivots", pivots_as_json(c, numbering)},
-          {"certificate", certificate_as_text(c.certificate())},
-          {"side", side_name(c.side())},
-          {"separating", c.is_separating()},
-          {"areas", c.areas()},
-          {"genera", c.genera()},
-          {"isoperimetric_ratio", c.isoperimetric_ratio()}, // null if it is infinite
-          {"roundness", c.roundness()},
-          {"isolation", c.isolation()},   // null if it is infinite
-          {"prominence", c.prominence()}, // null if it is not a number
-          {"dominated_by", c.dominated_by() ? Json(*c.dominated_by()) : Json()},
-          {"slides_off", c.slides_off() ? Json(numbering.vertex_of(*c.slides_off())) : Json()},
-          {"rim", c.is_rim()},
-          {"boundary_share", c.boundary_share()},
-          {"centroid", c.centroid()},
-          {"diameter", c.diameter()},
-          {"normal", c.normal()},
-          {"seed", seed_as_json(c.seeds().front(), numbering)}};
+  const bool is_vertex = !loop.pivots.empty() && loop.pivots.front().location == 0;
+  const bool is_constriction = loop.verdict == SMC::Tightening_verdict::CLOSED_GEODESIC;
+  return {{"point", 0},
+          {"vertex", is_vertex ? Json(numbering.vertex_of(loop.pivots.front().vertex)) : Json()},
+          {"left_angle", loop.left_angle}, // null if it is infinite
+          {"right_angle", loop.right_angle},
+          {"closed_geodesic", loop.is_closed_geodesic},
+          {"let_go", end_name(loop)},
+          {"let_go_length", is_constriction ? Json(loop.let_go.length()) : Json()}};
+}
+
+Json curve_as_json(const Report& report, std::size_t id)
+{
+  const Constriction& c = report.constrictions[id];
+  const File_numbering& numbering = report.file.numbering;
+  Json result = {{"id", id},
+                 {"length", c.length()},
+                 {"points", points_as_json(points_of_curve(report, id))},
+                 {"locations", locations_as_json(locations_of_curve(report, id), report.mesh, numbering)},
+                 {"pivots", pivots_as_json(c, numbering)},
+                 {"certificate", verdict_on_curve(report, id)},
+                 {"side", side_name(c.side())},
+                 {"separating", c.is_separating()},
+                 {"areas", c.areas()},
+                 {"genera", c.genera()},
+                 {"isoperimetric_ratio", c.isoperimetric_ratio()}, // null if it is infinite
+                 {"roundness", c.roundness()},
+                 {"isolation", c.isolation()},   // null if it is infinite
+                 {"prominence", c.prominence()}, // null if it is not a number
+                 {"dominated_by", c.dominated_by() ? Json(*c.dominated_by()) : Json()},
+                 {"slides_off", c.slides_off() ? Json(numbering.vertex_of(*c.slides_off())) : Json()},
+                 {"rim", c.is_rim()},
+                 {"boundary_share", c.boundary_share()},
+                 {"centroid", c.centroid()},
+                 {"diameter", c.diameter()},
+                 {"normal", c.normal()},
+                 {"seed", seed_as_json(c.seeds().front(), numbering)}};
+  if(report.is_girth)
+    result["held"] = held_as_json(report.loops[id], numbering);
+  return result;
 }
 
 } // namespace
@@ -143,8 +149,8 @@ Json constriction_as_json(std::size_t id, const Constriction& c, const Mesh& mes
 std::string report_as_json(const Report& report)
 {
   Json constrictions = Json::array();
-  for(const Constriction& c : report.constrictions)
-    constrictions.push_back(constriction_as_json(constrictions.size(), c, report.mesh, report.file.numbering));
+  for(std::size_t id = 0; id < report.constrictions.size(); ++id)
+    constrictions.push_back(curve_as_json(report, id));
 
   const SMC::Detection_statistics& s = report.statistics;
   const Stage_seconds& t = report.seconds;

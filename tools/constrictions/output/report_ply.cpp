@@ -2,11 +2,11 @@
 #include "output/report.h"
 
 #include "output/colours.h"
+#include "output/curve_of_report.h"
 #include "output/little_endian.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <sstream>
 
 namespace constrictions {
@@ -15,10 +15,10 @@ std::string report_as_ply(const Report& report)
 {
   std::string vertices, edges;
   std::uint32_t n = 0;
-  for(const Constriction& c : report.constrictions)
+  for(std::size_t id = 0; id < report.constrictions.size(); ++id)
   {
-    std::vector<Mesh::Point> points;
-    c.points(report.mesh, std::back_inserter(points));
+    const Constriction& c = report.constrictions[id];
+    const std::vector<Mesh::Point> points = points_of_curve(report, id);
     const std::uint32_t first = n, size = static_cast<std::uint32_t>(points.size());
     for(const Mesh::Point& p : points)
     {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output/report.h"
 
-#include <iterator>
+#include "output/curve_of_report.h"
+
+#include <cstddef>
 #include <limits>
 #include <sstream>
 
@@ -11,10 +13,9 @@ std::string report_as_polylines(const Report& report)
 {
   std::ostringstream out;
   out.precision(std::numeric_limits<double>::max_digits10);
-  for(const Constriction& c : report.constrictions)
+  for(std::size_t id = 0; id < report.constrictions.size(); ++id)
   {
-    std::vector<Mesh::Point> points;
-    c.points(report.mesh, std::back_inserter(points));
+    std::vector<Mesh::Point> points = points_of_curve(report, id);
     points.push_back(Mesh::Point(points.front()));
     out << points.size();
     for(const Mesh::Point& p : points)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output/report.h"
 
+#include "output/curve_of_report.h"
 #include "output/mesh_json.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ std::string open_certificates(const Report& report)
 {
   using CGAL::Surface_mesh_constrictions::Certificate_verdict;
   std::ostringstream out;
-  for(std::size_t id = 0; id < report.constrictions.size(); ++id)
+  for(std::size_t id = 0; id < report.constrictions.size() && !report.is_girth; ++id)
   {
     const auto& certificate = report.constrictions[id].certificate();
     if(!certificate.is_certified() && certificate.verdict != Certificate_verdict::NOT_COMPUTED)
@@ -89,7 +90,8 @@ std::string report_as_table(const Report& report, bool is_verbose)
         << (c.is_rim()          ? "rim"
             : c.is_separating() ? "yes"
                                 : "no")
-        << setw(12) << name(c.certificate()) << setw(11) << side_name(c.side());
+        << setw(12) << (report.is_girth && !c.certificate().is_certified() ? "held" : name(c.certificate())) << setw(11)
+        << side_name(c.side());
     if(is_verbose)
       out << setw(7) << c.pivots().size() << setw(11) << c.seeds().front().level << "  " << as_text(c.centroid());
     out << '\n';
@@ -100,6 +102,15 @@ std::string report_as_table(const Report& report, bool is_verbose)
 
   const std::size_t n = report.constrictions.size();
   const auto& s = report.statistics;
+  if(report.is_girth)
+  {
+    for(std::size_t id = 0; id < n; ++id)
+      out << loop_as_text(report, id) << '\n';
+    out << n << (n == 1 ? " loop\n" : " loops\n");
+    if(!report.hint.empty())
+      out << report.hint << '\n';
+    return out.str();
+  }
   out << n << (n == 1 ? " constriction" : " constrictions") << " from " << s.seeds
       << (s.seeds == 1 ? " seed curve" : " seed curves");
   if(is_verbose)

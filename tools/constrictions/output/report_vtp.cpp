@@ -2,10 +2,13 @@
 #include "output/report.h"
 
 #include "output/colours.h"
+#include "output/curve_of_report.h"
 #include "output/vtp_file.h"
 
-#include <iterator>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
+#include <vector>
 
 namespace constrictions {
 
@@ -16,10 +19,11 @@ std::string report_as_vtp(const Report& report)
   std::vector<double> lengths, prominences;
   std::vector<std::int32_t> ids, certificates, sides;
   std::vector<Colour> colours;
-  for(const Constriction& c : report.constrictions)
+  for(std::size_t id = 0; id < report.constrictions.size(); ++id)
   {
-    std::vector<Mesh::Point> points;
-    c.points(report.mesh, std::back_inserter(points));
+    const Constriction& c = report.constrictions[id];
+    const std::vector<Mesh::Point> points = points_of_curve(report, id);
+    const std::vector<bool> pivots = pivots_of_curve(report, id);
     std::vector<std::size_t> line(points.size());
     std::iota(line.begin(), line.end(), is_pivot.size());
     line.push_back(line.front());
@@ -27,7 +31,7 @@ std::string report_as_vtp(const Report& report)
     for(std::size_t i = 0; i < points.size(); ++i)
     {
       file.add_point(points[i]);
-      is_pivot.push_back(c.locations()[i].is_pivot ? 1 : 0);
+      is_pivot.push_back(pivots[i] ? 1 : 0);
     }
     ids.push_back(static_cast<std::int32_t>(ids.size()));
     lengths.push_back(c.length());

@@ -21,6 +21,8 @@ namespace CGAL {
   DO(minimum_curve_length_t, minimum_curve_length)                                                                     \
   DO(maximum_curve_length_t, maximum_curve_length)                                                                     \
   DO(maximum_number_of_constrictions_t, maximum_number_of_constrictions)                                               \
+  DO(maximum_number_of_loops_t, maximum_number_of_loops)                                                               \
+  DO(minimum_loop_angle_t, minimum_loop_angle)                                                                         \
   DO(crossing_constrictions_t, crossing_constrictions)                                                                 \
   DO(all_constrictions_t, all_constrictions)                                                                           \
   DO(rim_constrictions_t, rim_constrictions)                                                                           \
