@@ -56,13 +56,13 @@ public:
     {
       const Barrier b = m_search.search(here.arcs(at), trace(here.surface(), here.arcs(at)), curve.separates,
                                         (std::numeric_limits<double>::infinity)());
+      const double height_before = height;
       height = (std::max)(height, b.length);
-      std::vector<Barrier_search::Neighbour> ends = m_search.neighbours();
       std::optional<Prominence> p = prominence_on_input(input, curve, prominence_of_barrier(height, here.length(c)), b);
       if(p)
       {
         if(p->value >= negligible_prominence)
-          p = lower_neighbour(input, curve, c, std::move(ends), *p);
+          p = lower_neighbour(input, curve, c, height_before, m_search.neighbours(), *p);
         if(p->value >= negligible_prominence && has_lower(input, c))
           return std::nullopt;
         p->place = here.hash(c);
@@ -104,8 +104,8 @@ private:
   }
 
   // The lowest barrier to a neighbour that is shorter on T^0, if that is lower than what has been found for a curve that
-  // is number `c` here.
-  Prominence lower_neighbour(Barrier_search& input, const Measured_curve& curve, Index c,
+  // is number `c` here. `height_before` is the greatest length on the way to where the neighbours were met.
+  Prominence lower_neighbour(Barrier_search& input, const Measured_curve& curve, Index c, double height_before,
                              std::vector<Barrier_search::Neighbour> neighbours, const Prominence& found)
   {
     const double length = m_search.tightener().length(c);
@@ -116,7 +116,7 @@ private:
     std::vector<Index> done(1, c);
     for(const Barrier_search::Neighbour& n : neighbours)
     {
-      const double value = prominence_of_barrier(n.barrier, length);
+      const double value = prominence_of_barrier((std::max)(height_before, n.barrier), length);
       if(value >= found.value)
         break;
       if(m_search.tightener().length(n.curve) > length * (1 + greatest_difference) ||
