@@ -62,14 +62,14 @@ TEST(PathsToInput, KeepTheirHomologyClassAndAreJoinedByEdges)
     pm.go_to_level(0);
     const SMC::internal::Surface_cycles cycles(pm);
     const SMC::internal::Edge_lengths lengths(pm);
-    SMC::internal::Paths_to_input to_input(pm, lengths, level);
+    SMC::internal::Paths_to_input to_input(pm, lengths);
     std::size_t essential = 0;
     for(int i = 0; i < 50; ++i)
     {
       std::vector<Index> loop;
       for(Mesh::Vertex_index v : random_loops::random_loop(mesh, random))
         loop.push_back(static_cast<Index>(v));
-      const std::vector<Index> there = level.path(loop), back = to_input(there);
+      const std::vector<Index> there = level.path(loop), back = to_input(level, there);
       EXPECT_EQ(cycles.homology_class(back), cycles.homology_class(loop));
       essential += !cycles.homology_class(loop).empty();
       for(std::size_t j = 0; j < back.size() && back.size() > 2; ++j)

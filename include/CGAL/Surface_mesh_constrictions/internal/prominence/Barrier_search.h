@@ -68,12 +68,13 @@ public:
 
   // Searches from a simple closed geodesic with this trace, up to a length. The sides of a curve that does not separate
   // meet. Curves of the same length are looked for `with_ties` only. O(m log m) for m faces swept, plus the tightening
-  // of O(log) boundaries, a few times. If the curve behind the barrier hardly holds, its end is what that becomes.
+  // of O(log) boundaries, for each detour again. If the curve behind the barrier hardly holds, its end is what that
+  // becomes.
   Barrier search(const std::vector<Arc>& arcs, const std::vector<Trace_point>& trace, bool separates,
-                 double greatest_length, bool with_ties = true)
+                 double greatest_length, bool with_ties = true, std::size_t detours = most_detours)
   {
     begin(arcs, separates, with_ties);
-    return followed(lowest(trace, greatest_length));
+    return followed(lowest(trace, greatest_length, detours));
   }
 
   // As `search()`, but over single vertices alone; the end is NONE if no way up to the length leads over one.
@@ -124,7 +125,7 @@ private:
   }
 
   // The lowest barrier around the goal up to a length, and what is right behind it.
-  Barrier lowest(const std::vector<Trace_point>& trace, double greatest_length)
+  Barrier lowest(const std::vector<Trace_point>& trace, double greatest_length, std::size_t detours)
   {
     Barrier best = pass_vertices(greatest_length);
     if(best.length <= (1 + negligible_prominence) * m_goal_length)
@@ -135,7 +136,7 @@ private:
     // Around a bend level sets fall behind on the outside. Where they have come into the basin of a longer curve, the
     // sweep from that one is better aligned; the lowest such curve first.
     std::vector<Index> passed(1, m_goal);
-    for(std::size_t i = 0; i < most_detours; ++i)
+    for(std::size_t i = 0; i < detours; ++i)
     {
       const auto lowest =
           std::min_element(m_neighbours.begin(), m_neighbours.end(),

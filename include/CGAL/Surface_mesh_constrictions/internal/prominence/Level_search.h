@@ -10,7 +10,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Paths_to_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
 #include <algorithm>
@@ -32,10 +31,9 @@ namespace internal {
 class Level_search
 {
 public:
-  // Linear in the size of T^0, `pm`, of which these are the lengths of edges.
-  Level_search(const Progressive_mesh& pm, const Edge_lengths& lengths, const Measuring_level& level)
-    : m_pm(pm), m_level(level), m_search(level.copy.surface(), level.lengths, level.angles),
-      m_to_input(pm, lengths, level.copy)
+  // `to_input` leads to T^0, `pm`. Linear in the size of the level.
+  Level_search(const Progressive_mesh& pm, Paths_to_input& to_input, const Measuring_level& level)
+    : m_pm(pm), m_to_input(to_input), m_level(level), m_search(level.copy.surface(), level.lengths, level.angles)
   {}
 
   // The prominence of the curve that was searched from last on the input; none if this level does not tell. Cost: that
@@ -145,7 +143,8 @@ private:
     if(known != m_on_input.end())
       return known->second;
     const Boundary_tightener& here = m_search.tightener();
-    On_input there = {m_to_input(path_beside_curve(here.surface(), trace(here.surface(), here.arcs(c)))), null_index};
+    On_input there = {m_to_input(m_level.copy, path_beside_curve(here.surface(), trace(here.surface(), here.arcs(c)))),
+                      null_index};
     there.curve = input.tightener().tighten_path(there.path);
     return m_on_input.emplace(c, std::move(there)).first->second;
   }
@@ -188,9 +187,9 @@ private:
   }
 
   const Progressive_mesh& m_pm;
+  Paths_to_input& m_to_input;
   const Measuring_level& m_level;
   Barrier_search m_search;
-  Paths_to_input m_to_input;
   std::unordered_map<Index, On_input> m_on_input; // by number here
 };
 

@@ -24,18 +24,18 @@ namespace internal {
 class Paths_to_input
 {
 public:
-  // Linear in the size of T^0. `level` must have been copied from `pm`.
-  Paths_to_input(const Progressive_mesh& pm, const Edge_lengths& lengths, const Level_copy& level)
-    : m_pm(pm), m_lengths(lengths), m_level(level), m_reached(pm.number_of_vertex_ids())
+  // `lengths` of the edges of T^0, `pm`. Linear in its size.
+  Paths_to_input(const Progressive_mesh& pm, const Edge_lengths& lengths)
+    : m_pm(pm), m_lengths(lengths), m_reached(pm.number_of_vertex_ids())
   {}
 
-  // A closed path on T^0 for one of the level. Fewer than three vertices if it is a point or an edge forth and back.
-  // O(m log m) for m vertices of T^0 that have been merged into those of the path.
-  std::vector<Index> operator()(const std::vector<Index>& path)
+  // A closed path on T^0 for one of a level, which must have been copied from it. Fewer than three vertices if it is a
+  // point or an edge forth and back. O(m log m) for m vertices of T^0 that have been merged into those of the path.
+  std::vector<Index> operator()(const Level_copy& level, const std::vector<Index>& path)
   {
     std::vector<Index> result;
     for(std::size_t i = 0; i < path.size(); ++i)
-      append_edge(path[i], path[(i + 1) % path.size()], result);
+      append_edge(level, path[i], path[(i + 1) % path.size()], result);
     remove_spurs(result);
     return result;
   }
@@ -51,10 +51,10 @@ private:
   typedef std::pair<double, Index> Entry; // distance and vertex
 
   // The shortest path from the vertex of T^0 that stands for `u` to the one that stands for `v`, without the latter.
-  void append_edge(Index u, Index v, std::vector<Index>& path)
+  void append_edge(const Level_copy& level, Index u, Index v, std::vector<Index>& path)
   {
     ++m_search;
-    const Index begin = m_level.original(u), end = m_level.original(v);
+    const Index begin = level.original(u), end = level.original(v);
     reach(end, null_index, 0);
     while(!m_heap.empty())
     {
@@ -71,7 +71,7 @@ private:
       do
       {
         const Index x = m_pm.target(h);
-        if(!m_pm.is_ghost_vertex(x) && (m_level.vertex(x) == u || m_level.vertex(x) == v))
+        if(!m_pm.is_ghost_vertex(x) && (level.vertex(x) == u || level.vertex(x) == v))
         {
           const double distance = nearest.first + m_lengths[h];
           if(m_reached[x].search != m_search || distance < m_reached[x].distance)
@@ -96,7 +96,6 @@ private:
 
   const Progressive_mesh& m_pm;
   const Edge_lengths& m_lengths;
-  const Level_copy& m_level;
   std::vector<Reached> m_reached; // by vertex of T^0
   std::vector<Entry> m_heap;
   Index m_search = 0;

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Level_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Paths_to_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
@@ -60,21 +61,23 @@ public:
 
 private:
   static constexpr std::size_t most_searches = 4, least_group_size = 16;
-  // What parts curves that are one on a level is hardly higher than this. If nothing is found up to there, the level is
-  // right.
-  static constexpr double greatest_within_place = 0.1;
+  // What parts curves that are one on a level is lower than this, and near: on scans subdivided to 832,000 faces up to
+  // 0.035. If nothing is found up to there, the level is right.
+  static constexpr double greatest_within_place = 0.05;
+  static constexpr std::size_t detours_within_place = 2;
 
   struct Searches
   {
     Barrier_search on_input;
+    Paths_to_input to_input;
     std::deque<Level_search> on_levels;
 
     Searches(const Progressive_mesh& pm, const Edge_lengths& lengths, const Corner_angles& angles,
              const std::deque<Measuring_level>& levels)
-      : on_input(pm, lengths, angles)
+      : on_input(pm, lengths, angles), to_input(pm, lengths)
     {
       for(const Measuring_level& level : levels)
-        on_levels.emplace_back(pm, lengths, level);
+        on_levels.emplace_back(pm, to_input, level);
     }
   };
 
@@ -82,15 +85,19 @@ private:
   {
     Barrier_search& input = searches.on_input;
     constexpr double infinity = (std::numeric_limits<double>::infinity)();
-    if(searches.on_levels.empty() || !curve.with_ties)
+    if(searches.on_levels.empty())
       return prominence(input, curve, infinity);
-    if(curve.on_input)
+    if(curve.on_input || !curve.with_ties)
     {
-      const Prominence p = prominence(input, curve, greatest_within_place);
+      const Prominence p = prominence_from(input,
+                                           input.search(curve.arcs, curve.trace, curve.separates,
+                                                        (1 + greatest_within_place) * curve.length, curve.with_ties,
+                                                        detours_within_place),
+                                           curve.length);
       if(p.end != Barrier_end::BEYOND)
         return p;
     }
-    const Barrier over_vertices = input.search_vertices(curve.arcs, curve.separates, infinity);
+    const Barrier over_vertices = input.search_vertices(curve.arcs, curve.separates, infinity, curve.with_ties);
     Prominence lowest = prominence_from(input, over_vertices, curve.length);
     if(lowest.value <= negligible_prominence)
       return lowest;
