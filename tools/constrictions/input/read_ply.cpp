@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input/byte_reader.h"
-#include "input/polygon_soup.h"
+#include "input/readers.h"
 #include "input/text_scanner.h"
 
 #include <algorithm>
