@@ -99,7 +99,7 @@ inline std::ostream& operator<<(std::ostream& out, const Certificate& c)
   case Certificate_verdict::LEAKY_BAND:
     return out << "not_certified: the flat band on the " << side << " leaks";
   case Certificate_verdict::NOT_A_CLOSED_CURVE:
-    return out << "not_certified: no closed curve, point " << c.location << " does not fit to the next one";
+    return out << "not_certified: not a closed curve, point " << c.location << " does not fit the next one";
   case Certificate_verdict::NOT_STRAIGHT:
     return out << "not_certified: not straight, the arc through point " << c.location << " passes the edge's " << side
                << " end on the wrong side or through it";

@@ -51,7 +51,7 @@ Surface_location given_location(const Imported_mesh<TriangleMesh>& imported, Ver
       return result;
     }
     throw Invalid_input(Input_defect::INVALID_LOCATION, 0,
-                        "invalid location: it is a vertex that is isolated or not one of the mesh");
+                        "invalid location: the vertex is isolated, or not one of the mesh");
   }
   else if constexpr(std::is_convertible_v<Location, typename Constriction<TriangleMesh>::Face_location>)
   {

@@ -127,7 +127,7 @@ public:
     const Halfedge result = next(next(h));
     if(next(result) != h)
       throw Invalid_input(Input_defect::NOT_TRIANGULAR, 0,
-                          "not a triangle mesh: a face at the edge " + place(h) + " has not three vertices");
+                          "not a triangle mesh: a face at the edge " + place(h) + " does not have three vertices");
     return result;
   }
 

@@ -20,7 +20,7 @@ template <class Surface>
 struct Located_arcs
 {
   Certificate_verdict verdict; // NOT_COMPUTED if the arcs are good; else why not
-  std::size_t location;        // that does not fit to the next one
+  std::size_t location;        // that does not fit the next one
   std::vector<Exact_arc<Surface>> arcs;
 };
 

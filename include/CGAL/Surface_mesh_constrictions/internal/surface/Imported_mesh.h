@@ -96,7 +96,7 @@ public:
       if(next(p, tm) != h || p == h || n == h)
         throw Invalid_input(Input_defect::NOT_TRIANGULAR, m_halfedges.size(),
                             "not a triangle mesh: face " + std::to_string(m_halfedges.size()) +
-                                " has not three vertices; triangulate_with_face_map() makes a mesh of triangles");
+                                " does not have three vertices; triangulate_with_face_map() makes a mesh of triangles");
       const Index a = index[get(vim, source(h, tm))], b = index[get(vim, source(n, tm))],
                   c = index[get(vim, source(p, tm))];
       if(a <= b && a <= c)

@@ -70,8 +70,9 @@ template <class Mesh>
 constexpr bool check_mesh()
 {
   constexpr bool is_face_graph = has_faces<Mesh> || is_mutable_graph<std::remove_const_t<Mesh>>;
-  static_assert(is_face_graph, "the mesh is no model of FaceGraph, or the header with its boost::graph_traits is not "
-                               "included");
+  static_assert(is_face_graph,
+                "the mesh is not a model of FaceGraph, or the header with its boost::graph_traits is not "
+                "included");
   return is_face_graph;
 }
 
@@ -93,8 +94,9 @@ constexpr bool
 template <class OutputIterator, class Value>
 constexpr bool check_output()
 {
-  static_assert(takes<OutputIterator, Value>, "the output is no iterator that takes the results: for a container of "
-                                              "these give std::back_inserter(container)");
+  static_assert(takes<OutputIterator, Value>,
+                "the output is not an iterator that takes the results: for a container of "
+                "these pass std::back_inserter(container)");
   return takes<OutputIterator, Value>;
 }
 
