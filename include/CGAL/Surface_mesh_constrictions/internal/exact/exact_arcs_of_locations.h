@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// What the locations of a curve mean.
+// The arcs that the locations of a curve describe, or the condition that they violate.
 template <class Surface>
 struct Located_arcs
 {

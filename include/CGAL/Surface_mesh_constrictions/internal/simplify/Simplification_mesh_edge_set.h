@@ -12,10 +12,10 @@
 #include <type_traits>
 
 // After each collapse CGAL's edge_collapse() puts the thirty or so edges around it into a std::set, goes through it
-// once and throws it away. With a node for each edge this takes more than a quarter of the simplification, and nothing
-// that edge_collapse() can be given changes it. What the standard allows is to specialise std::set for elements of a
-// type of one's own. Sets of halfedges of the mesh that is simplified, in the order of edge_collapse(), are therefore
-// sorted arrays, on the stack while they are short.
+// once and throws it away. With a node for each edge this takes more than a quarter of the simplification, and no
+// parameter of edge_collapse() changes it. But the standard allows to specialise std::set for elements of a
+// user-defined type. Sets of halfedges of the simplified mesh, in the order of edge_collapse(), are therefore sorted
+// arrays, on the stack while they are short.
 //
 // Unlike those of a general std::set, their iterators do not survive insertion and erasure, which are linear. All other
 // sets of these halfedges have nodes as usual, among them that of edges of length zero, from which edge_collapse()

@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <utility>
 
-// What is wrong with the arguments of a public function is said by one sentence: each check stops the compiler with it,
-// and is `false` then, so that the function can leave uninstantiated what would be reported beside it.
+// Checks of the arguments of public functions. A check that fails stops the compiler with one sentence, and returns
+// `false`, so that the function leaves code uninstantiated that would give further errors.
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
@@ -52,8 +52,8 @@ constexpr bool check_parameters()
   return check_chain<Known>(static_cast<const typename NamedParameters::self*>(nullptr));
 }
 
-// A FaceListGraph, or a MutableHalfedgeGraph. What is neither is told by functions: for some types the mere question
-// whether boost::graph_traits has a member is an error.
+// A FaceListGraph, or a MutableHalfedgeGraph. Functions tell whether a type is neither: for some types the mere
+// question whether boost::graph_traits has a member is an error.
 template <class Graph, class = void>
 constexpr bool has_faces = false;
 
