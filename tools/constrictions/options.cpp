@@ -381,8 +381,8 @@ void add_girth_options(CLI::App& command, Girth& girth)
   command
       .add_option(
           "--min-angle", girth.minimum_angle,
-          "leave out loops whose angle at the place, in radians, is less than this; it is near 3.14 around a tube, "
-          "and small where a loop runs to a limb, around it, and back")
+          "leave out loops whose angle at the place, in radians, is less than this, by default 0.785; it is near 3.14 "
+          "around a tube, and small where a loop runs to a limb, around it, and back")
       ->type_name("A")
       ->check(not_negative());
 }

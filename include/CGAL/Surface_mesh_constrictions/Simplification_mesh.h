@@ -30,9 +30,8 @@ using CGAL::is_border;
 /// valid.
 ///
 /// It is a halfedge data structure on which CGAL's `edge_collapse()` is fast. Connectivity is in arrays of 32-bit
-/// numbers, opposite halfedges are next to each other, and there are no properties but the points. The descriptors have
-/// types of their own, whose sets `edge_collapse()` fills and empties without allocating memory. Removed elements keep
-/// their numbers; there is no garbage collection, and `num_vertices()` and the like count them.
+/// numbers, opposite halfedges are next to each other, and there are no properties but the points. Removed elements
+/// keep their numbers; there is no garbage collection, and `num_vertices()` and the like count them.
 ///
 /// \cgalModels{MutableFaceGraph,VertexListGraph,EdgeListGraph,HalfedgeListGraph,FaceListGraph}
 class Simplification_mesh
@@ -291,8 +290,7 @@ private:
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL
 
-// what makes it a face graph, and what edge_collapse() is fast with
-#include <CGAL/Surface_mesh_constrictions/internal/simplify/Simplification_mesh_edge_set.h>
+// what makes it a face graph
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/Simplification_mesh_graph.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/Simplification_mesh_properties.h>
 

@@ -32,6 +32,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
+// A loop with a smaller angle at the location runs to something, around it, and back by nearly the same way.
+constexpr double least_loop_angle = CGAL_PI / 4;
+
 struct Geodesic_loop_parameters : Mesh_parameters::With<internal_np::certify_t, internal_np::maximum_number_of_loops_t,
                                                         internal_np::minimum_loop_angle_t>
 {};
@@ -55,8 +58,8 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 /// the two parts reaches that meet there. The 4096 loops of greatest persistence, among them all of a greedy homotopy
 /// basis \cgalCite{ew_gohhg_05}, are tightened with the location held.
 ///
-/// The answer is the shortest of the simple geodesic loops that result; with `minimum_loop_angle`, of those with at
-/// least this angle at the location. A loop that shrinks to the location while it is held is dropped, and so is one
+/// The answer is the shortest of the simple geodesic loops that result and are not folded: their angle at the location
+/// is at least `minimum_loop_angle`. A loop that shrinks to the location while it is held is dropped, and so is one
 /// that crosses or touches itself. The loops that remain are of two kinds, which the result tells apart. One comes to
 /// rest when it is let go, as a rule at a constriction. The other one shrinks to a point when it is let go,
 /// `Geodesic_loop::encloses_tip()`: it slides off over a tip, of a finger say, that is steeper than the apex of a cone
@@ -96,9 +99,10 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_loop_angle}
 ///     \cgalParamDescription{the least angle of a loop at the location, in radians, on the side where it is smaller. It
-///                           is near pi around a tube, and small where a loop runs to a limb, around it, and back.}
+///                           is near pi around a tube, and small where a loop runs to a limb, around it, and back. With
+///                           0 the shortest loop of all is written, folded or not.}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{0}
+///     \cgalParamDefault{a quarter of pi}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether the curves that loops become when they are let go are certified with exact
@@ -147,7 +151,8 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
   const std::size_t maximum_number =
       choose_parameter(get_parameter(np, internal_np::maximum_number_of_loops), std::size_t(1));
-  const double minimum_angle = choose_parameter(get_parameter(np, internal_np::minimum_loop_angle), 0.0);
+  const double minimum_angle =
+      choose_parameter(get_parameter(np, internal_np::minimum_loop_angle), internal::least_loop_angle);
 
   Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();

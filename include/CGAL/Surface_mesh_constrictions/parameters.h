@@ -131,7 +131,7 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_loops)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// The least angle of a geodesic loop at its location, in radians, on the side where it is smaller.
-/// Type: `double`. Default: 0. Accepted by `geodesic_loops_at_location()`.
+/// Type: `double`. Default: a quarter of pi. Accepted by `geodesic_loops_at_location()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_loop_angle)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
