@@ -20,7 +20,7 @@ enum class Curve_side
 /// What exact arithmetic has proved of a closed curve.
 enum class Certificate_verdict
 {
-  NOT_COMPUTED,        ///< nothing: no certificate has been asked for
+  NOT_COMPUTED,        ///< nothing: no certificate has been computed
   STRICT_CONSTRICTION, ///< a simple closed geodesic that is shorter than every other closed curve close to it
   CONSTRICTION,        ///< a simple closed geodesic in a flat band that holds at both ends
   LEAKY_BAND,          ///< a simple closed geodesic in a flat band that it can slip out of without getting longer

@@ -52,7 +52,7 @@ Certificate certify_constriction_checked(const TriangleMesh& tm, const Constrict
 /// 6. *Boundary.* At a vertex on the boundary of the mesh the angle on the side of the hole is infinite. A flat band
 ///    that ends at the boundary holds there.
 /// 7. *No pivots.* A curve without pivots is examined through the parallel copy of it that passes through vertices on
-///    its right. If there is no such copy the curve is `NOT_STRAIGHT`. No place is told of such a curve.
+///    its right. If there is no such copy the curve is `NOT_STRAIGHT`. For such a curve the certificate names no place.
 /// 8. *Repeatable.* Neither `tm` nor `curve` is changed, and the same input gives the same certificate.
 ///
 /// \tparam TriangleMesh a model of `HalfedgeGraph` with totally ordered descriptors

@@ -32,7 +32,7 @@ Batch_line begin_of_line(const std::string& file, const char* status)
   return line;
 }
 
-// What a process says that ends where memory is asked for and an exception cannot leave.
+// The last words of a process that ends where memory is allocated and an exception cannot leave.
 bool is_about_memory(const std::string& words)
 {
   for(const char* part : {"allocate memory", "bad_alloc"})

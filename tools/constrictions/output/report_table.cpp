@@ -25,7 +25,7 @@ const char* name(const CGAL::Surface_mesh_constrictions::Certificate& certificat
                                                                          : "open";
 }
 
-// Why curves have no certificate that was asked for, a line for each.
+// Why curves are not certified, a line for each.
 std::string open_certificates(const Report& report)
 {
   using CGAL::Surface_mesh_constrictions::Certificate_verdict;
