@@ -3,7 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_H
 
 /// \file
-/// Everything that users name.
+/// Includes the whole public interface of the package, but for `CGAL/draw_constrictions.h`, which needs CGAL's viewer.
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Closed_curve.h>

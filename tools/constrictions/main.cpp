@@ -203,8 +203,8 @@ void write_page(const Options& options, const Report& report, Levels& levels)
       std::count_if(report.constrictions.begin(), report.constrictions.end(),
                     [&](const Constriction& c) { return c.prominence() < minimum_prominence(options); });
   if(hidden > 0)
-    std::cerr << hidden << " of less prominence than " << minimum_prominence(options) << (hidden == 1 ? " is" : " are")
-              << " not shown at first\n";
+    std::cerr << hidden << " of a smaller prominence than " << minimum_prominence(options)
+              << (hidden == 1 ? " is" : " are") << " not shown at first\n";
   std::cerr << std::flush;
 }
 
@@ -223,7 +223,7 @@ std::string hint_at_all(const Options& options, const Report& report)
   if(!report.constrictions.empty() || report.statistics.not_selected == 0 || s.all || s.maximum_number == 0)
     return "";
   return std::string("Closed geodesics were found but are not selected; --all shows them") +
-         (s.minimum_length || s.maximum_length ? ", if within the bounds of the length." : ".");
+         (s.minimum_length || s.maximum_length ? ", within the bounds of the length." : ".");
 }
 
 void run(const Options& options)

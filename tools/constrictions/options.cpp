@@ -30,11 +30,11 @@ namespace fs = std::filesystem;
 
 const char* const description =
     "Finds the constrictions of a surface: closed curves of locally minimal length, where a rubber band around the\n"
-    "object stays put. The surface is a mesh in an OFF, OBJ, PLY or STL file, which may be gzipped, or, with - for "
-    "the\n"
-    "file, in the standard input. Polygons are triangulated, and what is not a manifold is made one, without moving\n"
-    "a vertex: a line on the standard error output, and the JSON, say what was done. Faces and vertices are numbered\n"
-    "as in the file.\n";
+    "object stays put. The surface is a mesh in an OFF, OBJ, PLY or STL file, which may be gzipped; the file name - "
+    "is\n"
+    "the standard input. Polygons are triangulated, and places that are not manifold are repaired, without moving a\n"
+    "vertex; a line on the standard error output, and the JSON, say what was done. Faces and vertices are numbered as\n"
+    "in the file.\n";
 
 const char* const examples =
     "\nExamples:\n"
@@ -47,7 +47,8 @@ const char* const examples =
     "  constrictions detect bone.ply --max-length 30 --csv necks.csv\n"
     "      writes a table, for spreadsheets, of the constrictions that are no longer than 30\n"
     "  constrictions girth hand.ply --at 1.5,0,-2\n"
-    "      prints the length of the shortest loop around the finger through a place, narrow there or not\n"
+    "      prints the length of the shortest loop around the finger through a place, whether it is narrow there or "
+    "not\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
     "  constrictions segment bone.ply -o parts --side object\n"
@@ -57,10 +58,9 @@ const char* const examples =
     "  constrictions certify bone.ply --curves result/constrictions.json\n"
     "      proves with exact arithmetic that the curves are constrictions, or says what is wrong with them\n"
     "  constrictions check scan.stl -o repaired.ply\n"
-    "      prints what is wrong with a mesh, and writes it as the other commands would use it\n"
+    "      prints what is wrong with a mesh, and writes the repaired mesh that the other commands would use\n"
     "  constrictions batch meshes -o results -j 8 --time-limit 60\n"
-    "      goes through the meshes of a folder, 8 at a time; writes a line of JSON for each into "
-    "results/results.jsonl\n"
+    "      processes the meshes of a folder, 8 at a time; writes a line of JSON for each into results/results.jsonl\n"
     "\n"
     "Exit codes: 0 done (there may be no constrictions), 1 the input is not a usable mesh, or a curve is not\n"
     "certified, 2 wrong usage, 3 an output could not be written.\n";
@@ -101,8 +101,9 @@ void add_reading(CLI::App& command, Reading& reading)
                    "refuse a mesh with polygons, duplicate or degenerate faces, or edges or vertices that are not "
                    "manifold, instead of repairing it");
   command
-      .add_option("--merge", reading.merging_distance,
-                  "merge vertices that are nearer to each other than this, each into the first one near")
+      .add_option(
+          "--merge", reading.merging_distance,
+          "merge vertices that are nearer to each other than this; each is merged into the first vertex near it")
       ->type_name("EPS")
       ->check(greater_than_zero());
 }
@@ -119,7 +120,7 @@ void add_mesh(CLI::App& command, Options& options)
 void add_check_options(CLI::App& command, Options& options)
 {
   add_mesh(command, options);
-  command.add_option("-o", options.repaired, "write the mesh as it is repaired: OFF, OBJ or PLY, by the extension")
+  command.add_option("-o", options.repaired, "write the repaired mesh as OFF, OBJ or PLY, by the extension")
       ->type_name("FILE")
       ->check(not_empty)
       ->check(CLI::Validator(
@@ -138,7 +139,7 @@ void add_no_certify(CLI::App& command, Search& search)
 {
   command.add_flag_callback(
       "--no-certify", [&search] { search.certifies = false; },
-      "prove nothing with exact arithmetic: curves rest on rounded numbers");
+      "skip the proof with exact arithmetic: curves rest on rounded numbers");
 }
 
 void add_common_options(CLI::App& command, Options& options)
@@ -154,7 +155,7 @@ void add_common_options(CLI::App& command, Options& options)
           "constrictions.vtp into the folder DIR; it is created if missing")
       ->type_name("DIR")
       ->check(not_empty);
-  command.add_option("--json", options.json, "write everything that is known of the curves as JSON; - prints it")
+  command.add_option("--json", options.json, "write all data of the curves as JSON; - prints it")
       ->type_name("FILE|-")
       ->check(not_empty);
   command.add_option("--polylines", options.polylines, "write the points of the curves in CGAL's polylines format")
@@ -163,14 +164,13 @@ void add_common_options(CLI::App& command, Options& options)
       ->check(not_dash);
   command
       .add_option("--csv", options.csv,
-                  "write a line for each curve, with what can be told in numbers and words; - prints them")
+                  "write a table of comma-separated values with a line for each curve; - prints it")
       ->type_name("FILE|-")
       ->check(not_empty);
   add_no_certify(command, options.search);
-  command.add_flag("--quiet", options.quiet,
-                   "show no progress bar, and do not tell at the end what was written and found");
+  command.add_flag("--quiet", options.quiet, "show no progress bar, and no summary at the end");
   command.add_flag("--verbose", options.is_verbose,
-                   "in the table show also centroids, pivots, the level of the seed, and what became of the seeds");
+                   "add centroids, numbers of pivots and seed levels to the table, and how the seeds ended");
   command.footer("\nWithout -o, --json, --csv and --polylines a table is printed.\n");
 }
 
@@ -178,8 +178,7 @@ void add_threads(CLI::App& command, Options& options)
 {
   command
       .add_option("--threads", options.threads,
-                  "compute with N threads at most; without it, with as many as there are processors. The result is the "
-                  "same")
+                  "use N threads at most, by default one for each processor; the result does not depend on it")
       ->type_name("N")
       ->check(whole_number(1));
 }
@@ -205,8 +204,8 @@ void add_policy(CLI::App& command, std::string& policy)
 {
   command
       .add_option("--policy", policy,
-                  "how the mesh is simplified in the search for curves: gh Garland-Heckbert (default), lt "
-                  "Lindstrom-Turk, length shortest edge first")
+                  "how the mesh is simplified in the search for curves: gh (Garland-Heckbert, default), lt "
+                  "(Lindstrom-Turk) or length (shortest edge first)")
       ->type_name("gh|lt|length")
       ->check(CLI::IsMember({"gh", "lt", "length"}).description(""));
 }
@@ -216,8 +215,9 @@ CLI::Option* add_seeds(CLI::App& command, Search& search)
   return command
       .add_option_function<std::string>(
           "--seeds", [&search](const std::string& seeds) { search.triangles_only = seeds == "triangles"; },
-          "where the search starts: all from several kinds of closed curves on the simplified mesh (default), "
-          "triangles from three edges without a face only, which is faster and misses more")
+          "where the search starts: all (default) takes several kinds of closed curves on the simplified mesh; "
+          "triangles "
+          "takes only three edges without a face, which is faster and misses more")
       ->type_name("all|triangles")
       ->check(CLI::IsMember({"all", "triangles"}).description(""));
 }
@@ -242,20 +242,20 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
   command
       .add_option(
           "--side", side,
-          "cut along curves only that choke the object, as at its necks, or the space around it, as in the hole "
-          "of a ring")
+          "cut only along curves that choke the object, as at its necks, or the space around it, as in the hole of a "
+          "ring")
       ->type_name("object|complement")
       ->check(CLI::IsMember({"object", "complement"}).description(""));
   command
       .add_option_function<std::string>(
           "--format", [&options](const std::string& name) { options.segmentation.format = *part_format(name); },
-          "the format of the files of the parts, ply if not given; stl and glb have coordinates in single precision")
+          "the format of the files of the parts, by default ply; stl and glb have coordinates in single precision")
       ->type_name("ply|stl|obj|glb")
       ->check(CLI::IsMember(part_format_names()).description(""));
   command.add_flag("--open", options.segmentation.open, "do not close the holes of the parts");
   add_no_certify(command, options.search);
   command.add_flag("--quiet", options.quiet, "show no progress bar, and print no table");
-  command.footer("\nPrints a table of the parts. Of two curves that cross the more prominent one cuts.\n");
+  command.footer("\nPrints a table of the parts. Of two curves that cross, the more prominent one cuts.\n");
 }
 
 void add_view_options(CLI::App& command, Options& options)
@@ -270,10 +270,8 @@ void add_view_options(CLI::App& command, Options& options)
       ->required()
       ->check(not_empty);
   add_no_certify(command, options.search);
-  command.add_flag("--quiet", options.quiet,
-                   "show no progress bar, and do not tell at the end what was written and found");
-  command.footer(
-      "\nA slider in the page shows more curves: weaker ones, down to a prominence of 0.01, or all with --all.\n");
+  command.add_flag("--quiet", options.quiet, "show no progress bar, and no summary at the end");
+  command.footer("\nA slider in the page shows weaker curves, too, down to a prominence of 0.01, or all with --all.\n");
 }
 
 CLI::Validator not_negative()
@@ -288,18 +286,21 @@ CLI::Validator not_negative()
 
 void add_selection_options(CLI::App& command, Selection& selection)
 {
-  command.add_flag("--all", selection.all, "report every distinct closed geodesic found, no selection");
+  command.add_flag("--all", selection.all, "report every distinct closed geodesic found, without selection");
   command.add_flag("--rims", selection.rims,
                    "report also curves that run along the boundary of a hole for most of their length");
   command
       .add_option("--max", selection.maximum_number,
-                  "report N at most, those with the greatest product of prominence and roundness, or the nearest")
+                  "report N curves at most: those with the greatest product of prominence and roundness, or, with "
+                  "detect --near, "
+                  "the nearest")
       ->type_name("N")
       ->check(whole_number(0));
   command
-      .add_option("--min-prominence", selection.minimum_prominence,
-                  "leave out curves that slide to a shorter one, or off, when they are made longer by less than this "
-                  "share of their length")
+      .add_option(
+          "--min-prominence", selection.minimum_prominence,
+          "leave out curves that slide to a shorter one, or off, when they are stretched by less than this share "
+          "of their length")
       ->type_name("P")
       ->check(not_negative());
   command
@@ -312,19 +313,19 @@ void add_selection_options(CLI::App& command, Selection& selection)
   command
       .add_option(
           "--max-ratio", selection.maximum_ratio,
-          "leave out curves that cut off too little: length^2 / (4 pi area) is greater than this; it is 0.5 for "
+          "leave out curves that cut off too small an area: length^2 / (4 pi area) is greater than this; it is 0.5 for "
           "the equator of a sphere")
       ->type_name("R")
       ->check(not_negative());
   command
       .add_option("--min-length", selection.minimum_length,
-                  "of the curves that are selected leave out those that are shorter than this, in the unit of the "
-                  "mesh; --max counts those that are left")
+                  "after the selection, leave out curves that are shorter than this, in the unit of the mesh; --max "
+                  "counts the rest")
       ->type_name("L")
       ->check(not_negative());
   command
       .add_option("--max-length", selection.maximum_length,
-                  "of the curves that are selected leave out those that are longer than this")
+                  "after the selection, leave out curves that are longer than this")
       ->type_name("L")
       ->check(not_negative());
 }
@@ -359,8 +360,8 @@ void add_near_option(CLI::App& command, Search& search)
   command
       .add_option_function<std::string>(
           "--near", [&search](const std::string& text) { search.location = parse_location(text); },
-          "report the curves near this location, the nearest first: the loop around an arm. Unless --min-prominence "
-          "is given, weak ones too")
+          "report the curves near this location, the nearest first, such as the loop around an arm; weak ones, too, "
+          "unless --min-prominence is given")
       ->type_name("X,Y,Z")
       ->check(is_location());
 }
@@ -374,14 +375,14 @@ void add_girth_options(CLI::App& command, Girth& girth)
       ->type_name("X,Y,Z")
       ->required()
       ->check(is_location());
-  command.add_option("--max", girth.maximum_number, "report N loops at most, the shortest ones; 1 if not given")
+  command.add_option("--max", girth.maximum_number, "report N loops at most, the shortest ones; by default 1")
       ->type_name("N")
       ->check(whole_number(1));
   command
-      .add_option("--min-angle", girth.minimum_angle,
-                  "leave out loops that are bent at the place: whose angle there, in radians, is less than this; 0.785 "
-                  "if not given. It is near 3.14 around a tube, and small where a loop runs to a limb, around it, and "
-                  "back")
+      .add_option(
+          "--min-angle", girth.minimum_angle,
+          "leave out loops whose angle at the place, in radians, is less than this, by default 0.785; it is near 3.14 "
+          "around a tube, and small where a loop runs to a limb, around it, and back")
       ->type_name("A")
       ->check(not_negative());
 }
@@ -423,22 +424,22 @@ void add_batch_options(CLI::App& command, Options& options)
   batch.limits.seconds = 3600;
 
   command
-      .add_option("INPUT", batch.inputs,
-                  "text file with the name of a mesh on each line (- reads it from the standard input), folder whose "
-                  "OFF, OBJ, PLY and STL files, also gzipped, are taken, or mesh")
+      .add_option(
+          "INPUT", batch.inputs,
+          "a text file with the name of a mesh on each line (- is the standard input), a folder with OFF, OBJ, PLY "
+          "and STL files, also gzipped, or a mesh")
       ->type_name("LIST|DIR|MESH ...")
       ->required()
       ->check(not_empty);
   command
       .add_option("-o", options.folder,
-                  "write the lines into DIR/results.jsonl; meshes that have a line there are passed over")
+                  "write the lines into DIR/results.jsonl; meshes that have a line there are skipped")
       ->type_name("DIR")
       ->check(not_empty);
-  command
-      .add_option("-j", batch.limits.processes, "go through N meshes at a time; one for each processor if not given")
+  command.add_option("-j", batch.limits.processes, "process N meshes at a time, by default one for each processor")
       ->type_name("N")
       ->check(whole_number(1, 500));
-  command.add_option("--time-limit", batch.limits.seconds, "give up a mesh after this time; 3600 if not given")
+  command.add_option("--time-limit", batch.limits.seconds, "give up a mesh after this time; by default 3600")
       ->type_name("SECONDS")
       ->check(positive);
   command
@@ -450,15 +451,16 @@ void add_batch_options(CLI::App& command, Options& options)
   command
       .add_option_function<std::string>(
           "--slice", [&batch](const std::string& text) { batch.slice = *parse_slice(text); },
-          "take every N-th mesh only, from the I-th on, and write DIR/results.I-of-N.jsonl: for the tasks of a job "
+          "take only every N-th mesh, from the I-th on, and write DIR/results.I-of-N.jsonl: for the tasks of a job "
           "array")
       ->type_name("I/N")
       ->check(is_slice);
   add_reading(command, options.reading);
   add_no_certify(command, options.search);
   command.add_flag("--quiet", options.quiet, "show no progress, and print no table");
-  command.footer("\nEach mesh is gone through in a process of its own, so a failure is no more than a line with its "
-                 "reason.\nWithout -o the lines are printed. To have a mesh done again, delete its line.\n");
+  command.footer(
+      "\nEach mesh has a process of its own, so a failure is only a line with its reason. Without -o the lines "
+      "are\nprinted. To process a mesh again, delete its line.\n");
 }
 
 // Bounds between which there is nothing.
@@ -501,7 +503,7 @@ void check_files(const Options& options)
   }
 }
 
-// Of a kind of file with curves: the one in the folder asked for, and the one asked for by its name.
+// The files of one kind that have the curves: the one in the folder, and the one that an option names.
 std::vector<std::string> files(const Options& options, const char* name_in_folder, const std::string& file)
 {
   std::vector<std::string> result;
@@ -557,7 +559,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   tighten
       .add_option("--loops", options.loops,
                   "closed loops of mesh edges, one a line: vertex numbers counted from 0 and separated by blanks, the "
-                  "first not repeated; lines that start with # are passed over")
+                  "first not repeated; lines that start with # are skipped")
       ->type_name("FILE")
       ->required()
       ->check(not_empty);

@@ -83,7 +83,7 @@ struct Batch
   Process_limits limits;
 };
 
-/// What the user asks for. A file or folder that was not asked for has an empty name.
+/// The command line. A file or folder that was not given has an empty name.
 struct Options
 {
   Command command = Command::DETECT;

@@ -3,13 +3,12 @@
 /// \ingroup PkgSurfaceMeshConstrictionsConcepts
 /// \cgalConcept
 ///
-/// The concept `ConstrictionDetectionVisitor` describes who is told of the progress of
+/// The concept `ConstrictionDetectionVisitor` describes a visitor that follows the progress of
 /// `CGAL::Surface_mesh_constrictions::detect_constrictions()`.
 ///
-/// The visitor is copied: let it point to what it changes. With `Parallel_tag` it is called by different threads, but
-/// by one at a time. A visitor cancels the detection by an exception, which the caller of `detect_constrictions()`
-/// gets:
-/// \ref Surface_mesh_constrictions/follow_progress.cpp.
+/// The visitor is copied, so it should hold pointers to the data that it changes. With `Parallel_tag` different threads
+/// call it, but one at a time. A visitor cancels the detection by an exception, which reaches the caller of
+/// `detect_constrictions()`: \ref Surface_mesh_constrictions/follow_progress.cpp.
 ///
 /// \cgalRefines{CopyConstructible}
 ///

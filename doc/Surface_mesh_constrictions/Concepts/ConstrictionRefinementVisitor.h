@@ -3,8 +3,8 @@
 /// \ingroup PkgSurfaceMeshConstrictionsConcepts
 /// \cgalConcept
 ///
-/// The concept `ConstrictionRefinementVisitor` describes who is told what becomes of seed curves on their way to the
-/// input: the visitor of `CGAL::Surface_mesh_constrictions::refine_seed_curves()` and
+/// The concept `ConstrictionRefinementVisitor` describes a visitor that follows seed curves on their way to the input:
+/// the visitor of `CGAL::Surface_mesh_constrictions::refine_seed_curves()` and
 /// `CGAL::Surface_mesh_constrictions::carry_seed_curves()`. It is not copied.
 ///
 /// \cgalHasModelsBegin

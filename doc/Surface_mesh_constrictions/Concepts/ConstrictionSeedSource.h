@@ -7,9 +7,9 @@
 /// `CGAL::Surface_mesh_constrictions::detect_constrictions()`.
 ///
 /// A source is called once for each surface <i>T<sup>0</sup></i>, <i>T<sup>1</sup></i>, ..., <i>T<sup>n</sup></i>, from
-/// the finest to the coarsest, by one thread. So what it does on every level should touch the merged vertex only, and
-/// what is expensive should be done on one level, chosen by `CGAL::Surface_mesh_constrictions::is_level_with()`.
-/// Nothing that uses the seeds asks where they come from. The same surface has to give the same seeds.
+/// the finest to the coarsest, by one thread. So its work on every level should touch the merged vertex only, and
+/// expensive work should be done on one level, chosen by `CGAL::Surface_mesh_constrictions::is_level_with()`. The
+/// stages that follow do not depend on where seeds come from. The same surface has to give the same seeds.
 ///
 /// \cgalRefines{CopyConstructible}
 ///
@@ -33,9 +33,9 @@ public:
   ///
   /// \tparam OutputIterator takes `CGAL::Surface_mesh_constrictions::Seed_curve`
   ///
-  /// \param pm the surface, at the level that the source is called for. Its vertices are numbered as they come in
+  /// \param pm the surface, at the level for which the source is called. Its vertices are numbered in the order of
   ///        `vertices(tm)`; its faces may be in another order than in `faces(tm)`.
-  /// \param level what is known of this level
+  /// \param level data of this level
   /// \param out takes closed paths of edges of the current surface, with `level` equal to `pm.level()`; no vertex may
   ///        follow itself, and a path has three vertices at least
   /// \return the output iterator, past the last seed

@@ -6,9 +6,8 @@
 /// The concept `ConstrictionSimplificationPolicies` describes how the surface is simplified: the named parameter
 /// `simplification_policies` of `CGAL::Surface_mesh_constrictions::detect_constrictions()`.
 ///
-/// Of a large mesh blocks are simplified on their own first; the policies are called for each of them, and with
-/// `Parallel_tag` by several threads at a time. So they must not keep what they learn of a mesh in themselves, but in
-/// what they return.
+/// A large mesh is first simplified in blocks. The policies are called for each block, and with `Parallel_tag` by
+/// several threads at a time. So they must not store data of a mesh in themselves, but in the object that they return.
 ///
 /// \cgalRefines{CopyConstructible}
 ///

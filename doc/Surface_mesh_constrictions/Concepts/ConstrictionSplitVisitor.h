@@ -3,12 +3,12 @@
 /// \ingroup PkgSurfaceMeshConstrictionsConcepts
 /// \cgalConcept
 ///
-/// The concept `ConstrictionSplitVisitor` describes who is told which elements of a mesh are split, and into what: the
-/// visitor of `CGAL::Surface_mesh_constrictions::split_along_constrictions()`. So properties of faces and edges can be
-/// handed on to their pieces.
+/// The concept `ConstrictionSplitVisitor` describes the visitor of
+/// `CGAL::Surface_mesh_constrictions::split_along_constrictions()`. It is told which elements of a mesh are split, and
+/// into which pieces, so that it can hand on properties of faces and edges to the pieces.
 ///
-/// The names are those of the visitors of the corefinement in Polygon Mesh Processing. The visitor is copied: let it
-/// point to what it changes.
+/// The names are those of the visitors of the corefinement in Polygon Mesh Processing. The visitor is copied, so it
+/// should hold pointers to the data that it changes.
 ///
 /// \cgalRefines{CopyConstructible}
 ///

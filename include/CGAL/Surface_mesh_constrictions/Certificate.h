@@ -9,7 +9,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// A side of a curve, seen along its direction on the side of the surface that its normals point to.
+/// A side of a curve, for an observer who walks along it on the outer side of the surface, to which its normals point.
 enum class Curve_side
 {
   LEFT,
@@ -17,10 +17,10 @@ enum class Curve_side
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What has been proved of a closed curve with exact arithmetic.
+/// What exact arithmetic has proved of a closed curve.
 enum class Certificate_verdict
 {
-  NOT_COMPUTED,        ///< nothing: no certificate has been asked for
+  NOT_COMPUTED,        ///< nothing: no certificate has been computed
   STRICT_CONSTRICTION, ///< a simple closed geodesic that is shorter than every other closed curve close to it
   CONSTRICTION,        ///< a simple closed geodesic in a flat band that holds at both ends
   LEAKY_BAND,          ///< a simple closed geodesic in a flat band that it can slip out of without getting longer
@@ -38,11 +38,11 @@ struct Sign_statistics
 {
   std::size_t interval = 0;       ///< by intervals of doubles
   std::size_t multiprecision = 0; ///< by intervals of higher precision
-  std::size_t finite_field = 0;   ///< not zero by the image in a finite field; then by intervals of any precision
+  std::size_t finite_field = 0;   ///< by a non-zero image in a finite field, then by intervals of any precision
   std::size_t algebra = 0;        ///< by writing the number as a sum of independent roots: most of these are zero
-  std::size_t unproved = 0;       ///< not at all
+  std::size_t unproved = 0;       ///< not decided
 
-  /// what has been decided since `b`
+  /// the numbers that were added since `b` was taken
   friend Sign_statistics operator-(Sign_statistics a, const Sign_statistics& b)
   {
     a.interval -= b.interval;
@@ -99,7 +99,7 @@ inline std::ostream& operator<<(std::ostream& out, const Certificate& c)
   case Certificate_verdict::LEAKY_BAND:
     return out << "not_certified: the flat band on the " << side << " leaks";
   case Certificate_verdict::NOT_A_CLOSED_CURVE:
-    return out << "not_certified: no closed curve, point " << c.location << " does not fit to the next one";
+    return out << "not_certified: not a closed curve, point " << c.location << " does not fit the next one";
   case Certificate_verdict::NOT_STRAIGHT:
     return out << "not_certified: not straight, the arc through point " << c.location << " passes the edge's " << side
                << " end on the wrong side or through it";

@@ -17,11 +17,11 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What a `Collapse_recording_visitor` writes down.
+/// The record that a `Collapse_recording_visitor` writes.
 struct Collapse_record
 {
   std::vector<Edge_collapse> collapses;  ///< in the order in which they were made
-  std::vector<Seed_curve> refused_seeds; ///< non-face triangles on whose account a collapse was refused, each once
+  std::vector<Seed_curve> refused_seeds; ///< non-face triangles for which a collapse was refused, each once
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef

@@ -82,7 +82,7 @@ public:
     Seed_origin origin;                      ///< the kind of its source
   };
 
-  /// Everything that is known of the curve, for those who make one themselves, as for `certify_constriction()`.
+  /// Everything that is known of the curve. Fill it to make a curve of your own, for `certify_constriction()` say.
   struct Data
   {
     std::vector<Location> locations;                              ///< see `Constriction::locations()`
@@ -125,100 +125,102 @@ public:
   /// the seeds that led to this curve, the first to arrive first
   const std::vector<Seed>& seeds() const { return m_data->seeds; }
 
-  /// in the unit of the mesh's coordinates
+  /// the length, in the unit of the mesh's coordinates
   double length() const { return m_data->length; }
 
-  /// length / pi, in the unit of the mesh's coordinates: the diameter of the circle that is as long
+  /// length / pi, in the unit of the mesh's coordinates: the diameter of a circle of the same length
   double diameter() const { return m_data->length / CGAL_PI; }
 
-  /// the centroid of the curve, as of a wire that lies along it: the mean of its points by length, so that it does not
-  /// matter how many `locations()` are where. In the mesh's coordinates. Around a limb it is on its axis, not on the
+  /// the centroid of the curve, in the mesh's coordinates: the centre of mass of a wire along it, so that it does not
+  /// depend on how many `locations()` a piece has. Of a curve around a limb it lies on the axis of the limb, not on the
   /// surface.
   const std::array<double, 3>& centroid() const { return m_data->centroid; }
 
-  /// the unit vector along the curve's area vector, half of the sum of the cross products of consecutive points: the
-  /// direction in which its shadow has the largest area, and from whose tip it is seen to run counterclockwise. It
-  /// is normal to the plane of a flat curve. (0, 0, 0) for a curve that encloses no area in any direction, as one that
-  /// runs along both sides of a sheet: whose area vector is no longer than 10^-12 times half of its squared length.
+  /// the unit vector along the curve's area vector, which is half of the sum of the cross products of consecutive
+  /// points. The projection of the curve along it has the largest area, and seen from its tip the curve runs
+  /// counterclockwise. It is normal to the plane of a flat curve. It is (0, 0, 0) if the area vector is no longer than
+  /// 10^-12 times half of the squared length, as for a curve that runs along both sides of a sheet.
   const std::array<double, 3>& normal() const { return m_data->normal; }
 
-  /// the width of the flat band of parallel copies of which this is the canonical one; 0 if there is none
+  /// the width of the flat band of parallel copies of which this curve is the canonical one, in the unit of the mesh's
+  /// coordinates; 0 if it lies in no band
   double flat_band_width() const { return m_data->flat_band_width; }
 
-  /// whether the connected component of the mesh falls apart when it is cut along the curve, its holes filled before
+  /// whether a cut along the curve divides its connected component of the mesh, with the holes of the mesh filled
   bool is_separating() const { return m_data->separating; }
 
   /// the homology class of the curve modulo 2: the numbers, ascending, of those cycles of a basis of the mesh's first
-  /// homology group that the curve crosses an odd number of times. It is empty if the curve separates. Curves none of
-  /// which crosses another one separate together if each number occurs in an even number of their classes. Comparable
-  /// between the curves of one call.
+  /// homology group that the curve crosses an odd number of times. It is empty if the curve separates. Several curves
+  /// that do not cross each other separate together if each number occurs in an even number of their classes. Only
+  /// classes of curves from the same call can be compared.
   const std::vector<std::size_t>& homology_class() const { return m_data->homology_class; }
 
-  /// areas on the left and on the right of the curve within its connected component. Of a non-separating curve both
-  /// are the area of the component.
+  /// the areas on the left and on the right of the curve within its connected component, in the squared unit of the
+  /// mesh's coordinates. Of a non-separating curve both are the area of the component.
   const std::array<double, 2>& areas() const { return m_data->areas; }
 
-  /// genera of the parts on the left and on the right of the curve within its connected component, with their
-  /// boundary closed, holes of the mesh too. Of a non-separating curve both are that of the component cut along it, one
-  /// less than its own.
+  /// the genera of the parts on the left and on the right of the curve within its connected component, with their
+  /// boundaries and the holes of the mesh closed. Of a non-separating curve both are the genus of the component when it
+  /// is cut along the curve, which is one less than before.
   const std::array<std::size_t, 2>& genera() const { return m_data->genera; }
 
   /// length^2 / (4 pi A), with A the smaller of the two areas, to which those of flat fillings of the holes are added;
   /// infinite if there is nothing on one side but a hole
   double isoperimetric_ratio() const { return m_data->isoperimetric_ratio; }
 
-  /// how much it is like a circle: 4 pi A / length^2, with A the area of the largest of its shadows on a plane, which
-  /// is the length of its area vector. 1 for a circle, pi / 4 for a square; less for one that lies aslant, around an
-  /// arm and a shoulder, and is bent in space.
+  /// how much the curve is like a circle: 4 pi A / length^2, where A is the length of its area vector, which is the
+  /// area of its largest projection to a plane. It is 1 for a circle, pi / 4 for a square, and less for a curve that is
+  /// bent in space, as one that lies aslant around an arm and a shoulder.
   double roundness() const { return m_data->roundness; }
 
-  /// what it chokes: what at least three quarters of the turning of the curve say
+  /// the side that the curve chokes, if at least three quarters of its turning point there; else `Side::MIXED`
   Side side() const { return m_data->side; }
 
   /// whether the curve runs along the boundary of one hole for most of its length: `boundary_share()` is greater than
   /// 1/2
   bool is_rim() const { return m_data->rim; }
 
-  /// the greatest share of the length of the curve that runs along the boundary of one hole: along its edges; and, if
-  /// there is hardly anything on the side of the hole, less than the area of a disc of that perimeter, also through
-  /// faces from one of its vertices to another, where the boundary is jagged but no more than twice as long
+  /// the greatest share of the length of the curve that runs along the boundary of one hole. An arc along edges of the
+  /// boundary counts. If the area on the side of the hole is less than that of a disc of the same perimeter, an arc
+  /// through faces from one vertex of a jagged boundary to another counts, too, unless the boundary between them is
+  /// more than twice as long.
   double boundary_share() const { return m_data->boundary_share; }
 
-  /// what has been proved of the curve
+  /// what exact arithmetic has proved of the curve
   const Certificate& certificate() const { return m_data->certificate; }
 
-  /// how much longer the curve must become, relative to its length, before it can slide to where it is shorter or off
-  /// over a point; see `compute_prominences()`. NaN if it has not been computed.
+  /// how much longer the curve must become, relative to its length, before it can slide to a shorter place or off over
+  /// a point; see `compute_prominences()`. NaN if it has not been computed.
   double prominence() const { return m_data->prominence; }
 
-  /// the area that the curve must sweep at least to become the one that it is `dominated_by()`, divided by the squared
-  /// length of the curve; infinite if it is dominated by none, or by one of another homology class. Of mountains that
-  /// is how far one must go to a higher place. NaN if it has not been computed.
+  /// the least area that the curve must sweep to become the one that it is `dominated_by()`, divided by the squared
+  /// length of the curve; infinite if it is dominated by none, or by one of another homology class. The isolation of a
+  /// mountain, likewise, is how far it is to a higher place. NaN if it has not been computed.
   double isolation() const { return m_data->isolation; }
 
   /// the constriction that the curve slides to when it is made longer by its prominence, given by its place in the
-  /// sequence that this one was written to the output in. It is no longer than this one. None if the curve
-  /// `slides_off()`, or if it cannot become shorter: then it does not separate, and the prominence tells how long it is
+  /// output sequence that has this curve. It is no longer than this one. None if the curve `slides_off()`, or if it
+  /// cannot become shorter. A curve that cannot become shorter does not separate; its prominence tells how long it is
   /// when its two sides, swept, have met.
   const std::optional<std::size_t>& dominated_by() const { return m_data->dominated_by; }
 
-  /// the vertex over which the curve slides off, shortening to a point, when it is made longer by its prominence; none
+  /// the vertex over which the curve slides off when it is made longer by its prominence, and shortens to a point; none
   /// if it does not separate, or is `dominated_by()` a constriction
   const std::optional<vertex_descriptor>& slides_off() const { return m_data->slides_off; }
 
-  /// constrictions that the curve crosses, there and back, given by their places as above. Of two that cross each other
-  /// one names the other, as a rule the longer the shorter. Those of negligible prominence, less than 0.01, need not be
-  /// named.
+  /// constrictions that the curve crosses there and back, that is an even number of times, given by their places as
+  /// above. Of two that cross each other one lists the other, as a rule the longer one the shorter. Those of negligible
+  /// prominence, less than 0.01, need not be listed.
   const std::vector<std::size_t>& crosses() const { return m_data->crosses; }
 
   /// the shorter constrictions that the curve crosses an odd number of times, as an equator of a torus crosses a
   /// meridian, given by their places as above. Those of negligible prominence are left out, and neither separates.
   const std::vector<std::size_t>& crosses_oddly() const { return m_data->crosses_oddly; }
 
-  /// the constrictions that it crosses there and back, and of which it would be arbitrary to prefer one: neither is
-  /// more than 1.2 times as prominent as the other, and each must sweep an area of at least 0.15 length^2 to become
-  /// the other. Of a body with a plane of symmetry a curve that lies aslant and its mirror image are such; see
-  /// `compute_prominences()`.
+  /// the constrictions that the curve crosses there and back and that are as good as it: neither of the two is more
+  /// than 1.2 times as prominent as the other, and the longer one must sweep an area of at least 0.15 length^2 to
+  /// become the other. To prefer one of them would be arbitrary. On a body with a plane of symmetry a curve that lies
+  /// aslant and its mirror image are rivals; see `compute_prominences()`.
   const std::vector<std::size_t>& rivals() const { return m_data->rivals; }
 
   /// all of the above

@@ -10,22 +10,22 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What became of the seed curves. Every seed ends in exactly one of `degenerate`, `discarded`, `not_simple`,
-/// `not_certified`, `merged`, `not_selected` or as the first seed of a returned curve.
+/// How the seed curves ended. Every seed is counted in exactly one of `degenerate`, `discarded`, `not_simple`,
+/// `not_certified`, `merged` and `not_selected`, or is the first seed of a returned curve.
 struct Detection_statistics
 {
   std::size_t collapses = 0;     ///< edge collapses of the simplification
   std::size_t seeds = 0;         ///< seed curves of the sources
-  std::size_t barriers = 0;      ///< further seeds: what a constriction becomes that is moved over its lowest barrier
+  std::size_t barriers = 0;      ///< further seeds: curves that constrictions become behind their lowest barriers
   std::size_t degenerate = 0;    ///< seeds that shortened to a point
-  std::size_t discarded = 0;     ///< seeds given up on a coarse level, where they lead to what would not be selected
+  std::size_t discarded = 0;     ///< seeds given up on a coarse level, as they lead to curves that are not selected
   std::size_t not_simple = 0;    ///< seeds that ended in a curve that crosses or touches itself
   std::size_t merged = 0;        ///< seeds that ended in a curve that another seed had found
   std::size_t not_selected = 0;  ///< distinct closed geodesics that were found and are not returned
   std::size_t leaky_bands = 0;   ///< times a curve slipped out of a flat band that leaks, and went on shortening
-  std::size_t not_certified = 0; ///< seeds that ended in a curve that was left out as it is not certified
-  std::size_t corrected = 0;     ///< curves whose combinatorics rounding had got wrong, put right by exact arithmetic
-  Sign_statistics signs;         ///< how the signs were decided that the certificates rest on
+  std::size_t not_certified = 0; ///< seeds that ended in a curve that was left out because it is not certified
+  std::size_t corrected = 0;     ///< curves that rounding had led astray, and that exact arithmetic corrected
+  Sign_statistics signs;         ///< how the signs were decided on which the certificates rest
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -36,7 +36,7 @@ enum class Detection_stage
   SEEDS,          ///< the search for seed curves on each level
   REFINEMENT,     ///< vertex splits, with early merging
   TIGHTENING,     ///< of the curves that have arrived on the input
-  CERTIFICATION,  ///< of the distinct closed geodesics that may be selected, and what else is known of each
+  CERTIFICATION,  ///< of the distinct closed geodesics that may be selected
   SELECTION       ///< prominences, and selection by them
 };
 

@@ -61,16 +61,16 @@ struct Geodesic_loop
   Side side = Side::MIXED;                      ///< see `Constriction::side()`
   double boundary_share = 0;                    ///< see `Constriction::boundary_share()`
 
-  /// how the loop ends when it is let go on the side of the smaller angle, and tightened
+  /// what the loop becomes when it is let go on the side of the smaller angle, and tightened
   Tightening_verdict verdict = Tightening_verdict::DEGENERATE;
 
-  /// what it ends as if `verdict` is `CLOSED_GEODESIC`, else empty. Of a flat band it is the canonical copy, so that it
-  /// need not pass through the location if the loop is a closed geodesic.
+  /// the constriction that it becomes, if `verdict` is `CLOSED_GEODESIC`; else empty. In a flat band this is the
+  /// canonical copy, which need not pass through the location even if the loop is a closed geodesic.
   Constriction<TriangleMesh> let_go;
 
-  /// whether the loop shrinks to a point when it is let go. It encloses a tip then: by the theorem of Gauss and Bonnet
-  /// the angle defects of the vertices strictly inside a disc that it bounds add up to no less than pi and its angle at
-  /// the location on that side, which is more than at the apex of a cone of 60 degrees.
+  /// whether the loop shrinks to a point when it is let go. Then it bounds a disc with a tip. By the theorem of Gauss
+  /// and Bonnet the angle defects of the vertices strictly inside the disc add up to at least pi plus the angle of the
+  /// loop at the location on that side, which is more than at the apex of a cone of 60 degrees.
   bool encloses_tip() const { return verdict == Tightening_verdict::DEGENERATE; }
 
   /// writes the points of the loop, in the order of `locations`, to `out`.

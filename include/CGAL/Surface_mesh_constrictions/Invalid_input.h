@@ -29,8 +29,8 @@ enum class Input_defect
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Thrown by every function of this package that is given a mesh, a loop or a location that it cannot use.
-/// The message says what is wrong, and where, in one line.
+/// Exception of every function of this package that is given a mesh, a loop or a location that it cannot use. The
+/// message is one line that names the defect and its place.
 class Invalid_input : public std::invalid_argument
 {
 public:

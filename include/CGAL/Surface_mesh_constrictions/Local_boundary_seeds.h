@@ -20,11 +20,11 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Seed source that writes the boundaries of the holes that are nearest to a given vertex, along edges, on T^0 and on
-/// one coarse surface: of those of `Boundary_seeds` the ones near a location.
+/// Seed source that writes some of the seeds of `Boundary_seeds`: the boundaries of the holes that are nearest to a
+/// given vertex, along edges, on T^0 and on one coarse surface.
 ///
-/// Without them a rim is hardly found: loops through vertices that lead to one are left out on the coarse surface,
-/// where they are longer than what they cut off allows.
+/// Without them a rim is hardly found: loops through vertices that lead to a rim are given up on the coarse surface,
+/// because they are too long for the area that they cut off.
 ///
 /// \cgalModels{ConstrictionSeedSource}
 ///
@@ -36,7 +36,7 @@ class Local_boundary_seeds
 public:
   /// \param vertex a vertex of T^0 that is not isolated, numbered as it comes in `vertices(tm)`
   /// \param vertices the number of vertices of the coarse surface
-  /// \param max_holes so many holes at most, of the connected component of the vertex
+  /// \param max_holes the greatest number of holes; they are in the connected component of the vertex
   explicit Local_boundary_seeds(Index vertex, std::size_t vertices = 1000, std::size_t max_holes = 3)
     : m_vertex(vertex), m_vertices(vertices), m_max_holes(max_holes)
   {}

@@ -20,11 +20,11 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Seed source that writes the loops of `cut_locus_seeds_at_vertex()` of the surface with a given number of vertices,
-/// each once, for the vertex that a given vertex of T^0 has been merged into and those around it.
+/// Seed source that writes the loops of `cut_locus_seeds_at_vertex()` on the surface with a given number of vertices,
+/// each once. The roots are the vertex that a given vertex of T^0 has been merged into, and the vertices around it.
 ///
 /// The vertices around are needed where the given one is the tip of a limb: the loops through a tip shrink to a point,
-/// those through the vertices further down go around the limb.
+/// while those through vertices further down go around the limb.
 ///
 /// \cgalModels{ConstrictionSeedSource}
 ///
@@ -35,8 +35,8 @@ class Local_cut_locus_seeds
 {
 public:
   /// \param vertex a vertex of T^0 that is not isolated, numbered as it comes in `vertices(tm)`
-  /// \param vertices the number of vertices of the surface that the loops are looked for on
-  /// \param max_roots the vertices that are nearest to the given one, along edges, are roots, so many at most
+  /// \param vertices the number of vertices of the surface on which loops are searched
+  /// \param max_roots the greatest number of roots, which are the vertices nearest to the given one, along edges
   explicit Local_cut_locus_seeds(Index vertex, std::size_t vertices = 1000, std::size_t max_roots = 64)
     : m_vertex(vertex), m_vertices(vertices), m_max_roots(max_roots)
   {}

@@ -28,19 +28,30 @@ struct Edge_collapse
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// A triangle mesh T^0 and a sequence of edge collapses T^0 -> T^1 -> ... -> T^n, with one of the surfaces
-/// current, its *level*. Going a level down (a vertex split) restores connectivity and positions bit for bit, and ids
-/// of vertices, halfedges and faces mean the same at every level.
+/// A triangle mesh T^0 and a sequence of edge collapses T^0 -> T^1 -> ... -> T^n. One of these surfaces is current:
+/// T^k, where k is the *level*.
 ///
-/// What a collapse takes out of the surface keeps its ids and its own pointers, and the split links it in again, as in
-/// dancing links. A level costs O(degree) to go up and O(degree) to go down. Memory: 24 bytes a face and 28 bytes a
-/// vertex for T^0, 32 bytes a collapse for the sequence and 12 for the lifetimes of one vertex and two faces.
+/// The contract:
 ///
-/// Face `f` has the halfedges `3 f`, `3 f + 1` and `3 f + 2`, counterclockwise.
-///
-/// The surface is closed. Each hole of a mesh with boundary is closed by one more vertex, which is joined to the edges
-/// of the hole by faces: *ghosts*, numbered after all other vertices and faces, at every level the same. They have no
-/// area, no curve enters them, and their angles are infinite. A collapse neither moves nor removes a ghost vertex.
+/// 1. *Levels.* `collapse()` goes from T^k to T^(k+1), `split()` back from T^(k+1) to T^k, and `go_to_level()` repeats
+///    either. `append_collapse()` and `append_collapses()` make the sequence longer, on T^n only. All other functions
+///    are const.
+/// 2. *Exact restoration.* Whatever way leads to T^k, its connectivity, the halfedge `outgoing(v)` of each vertex, and
+///    the positions are the same bit for bit.
+/// 3. *Ids.* An id of a vertex, halfedge or face names the same element at every level. Ids are 0, 1, ... up to the
+///    number of elements of T^0; a collapse creates no element. Face `f` has the halfedges `3 f`, `3 f + 1` and
+///    `3 f + 2`, counterclockwise.
+/// 4. *Elements that are out.* An element that a collapse has taken out keeps its id and its own pointers, and the
+///    split links it in again, as in dancing links. `is_vertex()` and `is_face()` tell whether an element is in; the
+///    functions of connectivity are for elements that are.
+/// 5. *Closed surface.* Each hole of a mesh with boundary is closed by one more vertex, joined to the edges of the hole
+///    by faces: *ghosts*, numbered after all other vertices and faces, and the same at every level. They have no area,
+///    no curve enters them, and their angles are infinite.
+/// 6. *What the caller sees to.* Each collapse keeps the surface a 2-manifold (the link condition), and neither moves
+///    nor removes a ghost vertex. This is not checked.
+/// 7. *Cost.* A level costs O(degree) to go up and O(degree) to go down. Memory: 24 bytes a face and 28 bytes a vertex
+///    for T^0, 4 bytes a face and a vertex for the last level that has it, and 32 bytes a collapse.
+/// 8. *Threads.* Several threads may call const functions at a time.
 class Progressive_mesh
 {
 public:
@@ -86,8 +97,8 @@ public:
   /// the number n of collapses of the sequence
   std::size_t number_of_collapses() const { return m_records.size(); }
 
-  /// the memory that a collapse takes beyond the connectivity and positions of T^0: what it records, and the lifetimes
-  /// of the vertex and the two faces that it takes out
+  /// the bytes that a collapse takes beyond the connectivity and positions of T^0: its record, and the last levels of
+  /// the vertex and the two faces that it takes out
   static constexpr std::size_t bytes_per_collapse() { return sizeof(Record) + 3 * sizeof(Index); }
 
   /// appends a collapse to the sequence and applies it.
@@ -103,7 +114,7 @@ public:
     collapse();
   }
 
-  /// appends collapses and applies them, one after the other, and calls `f(collapse)` after each. Ends when that
+  /// appends collapses and applies them, one after the other, and calls `f(collapse)` after each. Stops when `f`
   /// returns false.
   /// \pre that of `append_collapse()`, for each
   template <class Function>
@@ -184,11 +195,11 @@ public:
       split();
   }
 
-  /// what the next `split()` will put in.
+  /// the elements that the next `split()` will put in.
   /// \pre `level() > 0`
   Split next_split() const { return split_of(m_records[m_level - 1]); }
 
-  /// what the collapse from T^k to T^(k+1) has taken out.
+  /// the elements that the collapse from T^k to T^(k+1) has taken out.
   /// \pre `k < level()`
   Split applied_collapse(std::size_t k) const { return split_of(m_records[k]); }
 
@@ -200,7 +211,7 @@ public:
   /// the number of vertices of the current surface that are neither isolated nor ghosts
   std::size_t number_of_vertices() const { return m_number_of_vertices - m_level; }
 
-  /// the coarsest level that has no fewer vertices than that; 0 if none has
+  /// the coarsest level with at least `vertices` vertices; 0 if no level has as many
   std::size_t level_with(std::size_t vertices) const
   {
     return (std::min)(m_number_of_vertices > vertices ? m_number_of_vertices - vertices : 0, m_records.size());

@@ -24,7 +24,7 @@ enum class Seed_origin
   NON_FACE_TRIANGLE, ///< three edges of a simplified surface that bound no face
   CUT_LOCUS,         ///< a loop through the cut locus of a vertex of a simplified surface
   SECTION,           ///< a piece of a level set of a function on a simplified surface
-  BARRIER,           ///< what a longer constriction becomes when it has been moved over its lowest barrier
+  BARRIER,           ///< a curve that a longer constriction becomes behind its lowest barrier
   USER,              ///< a loop given by the user
   BOUNDARY           ///< the boundary of a hole
 };

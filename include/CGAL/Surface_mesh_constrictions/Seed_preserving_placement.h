@@ -8,8 +8,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Placement that gives no position, and so forbids the collapse, for the edges of seed curves (Section 4.4 of the
-/// paper), and asks another placement for all other edges.
+/// Placement that forbids the collapse of the edges of seed curves, by giving no position for them (Section 4.4 of the
+/// paper), and calls another placement for all other edges.
 ///
 /// The edges of seeds are recognised by their non-face triangle, not by a mark: a mark would be lost when the edge
 /// merges with a neighbour, while the triangle lives on with the merged vertex.
@@ -21,7 +21,7 @@ template <class BasePlacement>
 class Seed_preserving_placement : private BasePlacement
 {
 public:
-  /// \param base the placement that is asked for all other edges
+  /// \param base the placement that is called for all other edges
   explicit Seed_preserving_placement(const BasePlacement& base = BasePlacement()) : BasePlacement(base) {}
 
   /// none for an edge of a non-face triangle, otherwise what the base placement says.

@@ -22,14 +22,16 @@ namespace Surface_mesh_constrictions {
 using CGAL::is_border;
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The copy of the input that is simplified, whatever the type of the input. Cost and placement policies passed to
-/// `detect_constrictions()` are called with edge profiles of this mesh: models of CGAL's `EdgeProfile`, of a type of
-/// this package's own, so that their `operator()` has to be a template like that of CGAL's policies. What a profile
-/// tells is looked up when it is asked for: after the collapse only the vertices are what they were.
+/// The copy of the input that is simplified, whatever the type of the input.
 ///
-/// A halfedge data structure that CGAL's `edge_collapse()` is fast on: connectivity in arrays of 32-bit numbers,
-/// opposite halfedges next to each other, and no properties but the points. Removed elements keep their numbers; there
-/// is no garbage collection, and `num_vertices()` and the like count them.
+/// Cost and placement policies passed to `detect_constrictions()` are called with edge profiles of this mesh. These are
+/// models of CGAL's `EdgeProfile` of a type of their own, so the `operator()` of a policy has to be a template, as in
+/// CGAL's policies. A profile looks up its members when they are read; after the collapse only its vertices are still
+/// valid.
+///
+/// It is a halfedge data structure on which CGAL's `edge_collapse()` is fast. Connectivity is in arrays of 32-bit
+/// numbers, opposite halfedges are next to each other, and there are no properties but the points. Removed elements
+/// keep their numbers; there is no garbage collection, and `num_vertices()` and the like count them.
 ///
 /// \cgalModels{MutableFaceGraph,VertexListGraph,EdgeListGraph,HalfedgeListGraph,FaceListGraph}
 class Simplification_mesh
@@ -38,7 +40,7 @@ public:
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point; ///< of double coordinates
   typedef Index size_type;                                              ///< counts elements
 
-  /// The number of an element; of none, if it is made without one.
+  /// The number of an element, or of no element if it is default constructed.
   template <class Element>
   class Descriptor
   {
@@ -70,7 +72,7 @@ public:
   typedef Descriptor<struct Halfedge_element> Halfedge_index; ///< a halfedge; its opposite differs in the last bit
   typedef Descriptor<struct Face_element> Face_index;         ///< a face
 
-  /// An edge, which knows of which of its two halfedges it was made. That does not matter in comparisons.
+  /// An edge. It remembers which of its two halfedges it was made of; comparisons ignore this.
   class Edge_index
   {
   public:

@@ -9,8 +9,8 @@ namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Visitor of `split_along_constrictions()` whose callbacks do nothing: derive from it and hide what you need. The
-/// names are those of the visitors of the corefinement in Polygon Mesh Processing. The visitor is copied: let it point
-/// to what it changes.
+/// names are those of the visitors of the corefinement in Polygon Mesh Processing. The visitor is copied, so it should
+/// hold pointers to the data that it changes.
 ///
 /// \cgalModels{ConstrictionSplitVisitor}
 ///

@@ -11,16 +11,16 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// A part of a surface that has been cut along closed curves: what hangs together without crossing a curve.
+/// A part of a surface that has been cut along closed curves: a connected component of the rest.
 struct Surface_part
 {
-  /// in the square of the unit of the mesh's coordinates; of crossed faces the pieces count that lie in the part
+  /// in the squared unit of the mesh's coordinates; of crossed faces only the pieces in the part count
   double area;
 
-  /// signed: positive if the normals point out, negative if the part encloses what is outside of the solid, as the wall
-  /// of a pocket. Each boundary curve is closed by the cone from the curve to its centre of mass, or to the common one
-  /// of all curves that touch each other. The cones on the two sides of a curve cancel, so that volumes of parts add
-  /// up.
+  /// in the cubed unit of the mesh's coordinates. Positive if the normals point out of the enclosed region, negative if
+  /// the part encloses a region outside of the solid, as the wall of a pocket does. Each boundary curve is closed by
+  /// the cone from the curve to its centre of mass; curves that touch each other have a common apex. The cones on the
+  /// two sides of a curve cancel, so that the volumes of the parts add up.
   double volume;
 
   std::size_t genus;                ///< after its boundary curves have been closed by discs
@@ -29,7 +29,7 @@ struct Surface_part
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Two parts, or twice the same, on the two sides of a curve.
+/// Two parts on the two sides of a curve; they may be the same part.
 struct Part_adjacency
 {
   std::size_t curve; ///< the place of the curve in the input; of several that share the stretch, the first used
@@ -38,10 +38,10 @@ struct Part_adjacency
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What became of a curve that was to cut a surface.
+/// Whether a curve has cut a surface, and if not, why.
 struct Cut_outcome
 {
-  /// the place of no curve
+  /// no curve
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   bool is_used;              ///< whether the surface was cut along it
@@ -49,7 +49,7 @@ struct Cut_outcome
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The parts of a surface, how they hang together, and what became of each curve, in the order of the input.
+/// The parts of a surface, which of them meet at which curve, and which curves have cut.
 struct Surface_parts
 {
   std::vector<Surface_part> parts;         ///< numbered as in the face patch map

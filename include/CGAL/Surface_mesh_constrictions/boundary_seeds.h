@@ -31,8 +31,8 @@ inline Seed_curve boundary_seed(const Progressive_mesh& pm, Index ghost)
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// writes the boundaries of the holes of the current surface. Tightened, such a loop is what a rubber band becomes that
-/// is laid along the boundary: it stays there as a rim, or slides to the narrow place behind it, or shrinks to a point.
+/// writes the boundaries of the holes of the current surface. A rubber band that is laid along a boundary stays there
+/// as a rim, or slides to the narrow place behind it, or shrinks to a point; tightening finds which.
 ///
 /// \param pm the surface; unchanged
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level

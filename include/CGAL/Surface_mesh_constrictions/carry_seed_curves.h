@@ -22,27 +22,27 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// On which surfaces `carry_seed_curves()` merges and tightens, and what it keeps there. A surface is given by its
-/// number of vertices; on meshes with fewer vertices it is the input.
+/// The surfaces on which `carry_seed_curves()` merges and tightens, and what it keeps there. A surface is given by its
+/// number of vertices; if the mesh has fewer vertices the surface is the input.
 struct Carrying_parameters
 {
   std::size_t merging_vertices = 1000; ///< where seeds are merged
-  /// what is kept there. Where curves are tightened, one is kept of those that become equal, whatever its prominence:
-  /// few are left to measure it among.
+  /// what is kept there. On the levels where curves are tightened one is kept of those that become equal, whatever its
+  /// prominence, because too few curves are left to measure prominences among.
   Merging_parameters merging;
   /// the coarsest surface on which curves are tightened, moved to edges, and merged again
   std::size_t tightening_vertices = 16384;
-  /// how many times as many vertices the next such surface has; the last has less than half of those of the input
+  /// the ratio of the numbers of vertices of two such surfaces in turn; the last has less than half of those of the
+  /// input
   std::size_t tightening_factor = 8;
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// carries seed curves from their levels to T^0 as paths of edges, without straightening them on coarse levels.
 ///
-/// The seeds are merged on a coarse level, see `merge_seed_curves()`. Those that are kept go on as paths of edges, and
-/// so do boundaries of T^0, whatever is kept: they are few, and a rim is judged on the input. On
-/// large meshes they are tightened on a few fine levels on the way, where hardly any curve is lost by that, so that
-/// little is left to be done on T^0.
+/// The seeds are merged on a coarse level, see `merge_seed_curves()`. Those that are kept go on as paths of edges. The
+/// boundaries of T^0 always go on: they are few, and a rim is judged on the input. On large meshes the curves are
+/// tightened on a few fine levels on the way, where this loses hardly any curve, so that little is left to do on T^0.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.

@@ -29,17 +29,31 @@ Certificate certify_constriction_checked(const TriangleMesh& tm, const Constrict
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// decides with exact arithmetic whether a closed curve is a constriction.
 ///
-/// What is examined is the combinatorial curve: the pivots and the crossed halfedges of `curve.locations()`. The
-/// rounded parameters of the crossings, and everything else that `curve` holds, are not looked at. The points of the
-/// mesh are taken as the exact numbers that they are. The conditions are, in this order: consecutive locations fit
-/// together; each arc between two pivots is straight in its unfolded strip and crosses the inside of each edge; both
-/// side angles at each pivot are at least pi; the curve neither crosses nor touches itself (Proposition 9 of the
-/// paper); and if all angles on one side are equal to pi, the flat band on that side holds at its end. There is no
-/// tolerance. At a vertex on the boundary of the mesh the angle on the side of the hole is infinite, and a flat band
-/// that ends at the boundary holds there. See the section on certificates in the user manual for the proof that these
-/// conditions suffice, and for the way in which signs are decided.
+/// The contract:
 ///
-/// A curve without pivots is examined through the parallel copy of it that passes through vertices on its right.
+/// 1. *The curve.* Only the combinatorial curve is examined: the pivots and the crossed halfedges of
+///    `curve.locations()`. The rounded parameters of the crossings, and everything else that `curve` holds, are not
+///    read.
+/// 2. *The surface.* The points of the mesh are taken as the exact numbers that they are. Only the faces that the curve
+///    crosses, those around its pivots and those of its flat bands are read; the rest of the mesh is not checked.
+/// 3. *The conditions.* They are decided in this order, and together they suffice (Proposition 9 of the paper, and the
+///    section "Proofs" of the user manual):
+///    - consecutive locations fit together, else `NOT_A_CLOSED_CURVE`;
+///    - each arc between two pivots is straight in its unfolded strip, and crosses the inside of each edge, else
+///      `NOT_STRAIGHT`;
+///    - both side angles at each pivot are at least pi, else `ANGLE_BELOW_PI`;
+///    - the curve neither crosses nor touches itself, else `CROSSES_ITSELF` or `TOUCHES_ITSELF`;
+///    - if all angles on one side are equal to pi, the flat band on that side holds at its end, else `LEAKY_BAND`.
+/// 4. *The verdict.* If all conditions hold it is `STRICT_CONSTRICTION`, where each side has an angle greater than pi,
+///    or else `CONSTRICTION`. If not, it is the first condition that is violated, with the place.
+/// 5. *No tolerance.* Each sign is proved. A sign that cannot be proved ends the examination with `TIE_NOT_PROVED`;
+///    nothing is said about the conditions after it. The section "Certificate" of the user manual tells how signs are
+///    decided, and when this can happen.
+/// 6. *Boundary.* At a vertex on the boundary of the mesh the angle on the side of the hole is infinite. A flat band
+///    that ends at the boundary holds there.
+/// 7. *No pivots.* A curve without pivots is examined through the parallel copy of it that passes through vertices on
+///    its right. If there is no such copy the curve is `NOT_STRAIGHT`. For such a curve the certificate names no place.
+/// 8. *Repeatable.* Neither `tm` nor `curve` is changed, and the same input gives the same certificate.
 ///
 /// \tparam TriangleMesh a model of `HalfedgeGraph` with totally ordered descriptors
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -58,14 +72,15 @@ Certificate certify_constriction_checked(const TriangleMesh& tm, const Constrict
 /// \cgalNamedParamsEnd
 ///
 /// \return the verdict, with the place of the first condition that is violated
-/// \throws Invalid_input if a coordinate is no rational number of moderate size, or if the curve comes to a face that
-///         is not a triangle
-/// \cost if intervals of doubles decide, linear up to a logarithm in the number of crossings and in the degrees of the
-///       pivots, plus the squared number of pieces of the curve in each face, plus the faces of a flat band times the
-///       parallel copies in it that meet vertices. A sign that they leave open costs, for an arc with k crossings, O(k)
-///       operations at each higher precision. A tie in a strip on a prism or a bore costs O(k) operations on integers,
-///       and at most as many tests for a square as there are pairs of planes; any other tie costs operations in a field
-///       of up to 2^m dimensions, where m is the number of square classes of the squared areas of the faces concerned.
+/// \throws Invalid_input if a coordinate is not a rational number of moderate size, or if the curve comes to a face
+///         that is not a triangle
+/// \cost If intervals of doubles decide all signs: linear up to a logarithm in the number of crossings and in the
+///       degrees of the pivots, plus the squared number of pieces of the curve in each face, plus the faces of a flat
+///       band times the parallel copies in it that meet vertices. A sign that intervals leave open costs, for an arc
+///       with k crossings, O(k) operations at each higher precision. A tie in a strip on a prism or a bore costs O(k)
+///       operations on integers, and at most as many tests for a square as there are pairs of planes. Any other tie
+///       costs operations in a field of up to 2^m dimensions, where m is the number of square classes of the squared
+///       areas of the faces concerned.
 ///
 /// \sa `detect_constrictions()`
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>

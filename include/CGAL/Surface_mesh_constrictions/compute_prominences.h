@@ -49,9 +49,9 @@ struct Hierarchy_entry
   bool has_end;                            // whether the curve can become shorter
 };
 
-// A curve that cannot become shorter has no barrier by nature, and how long it is when its sides have met depends on
-// where it lies. So that equal holes are equally prominent, the least such length among curves of about the same
-// length is taken for all of them. Lengths and entries in one order.
+// A curve that cannot become shorter has no barrier. How long it is when its two swept sides meet depends on where it
+// lies. So that equal holes are equally prominent, all curves of about the same length get the least of these values.
+// Lengths and entries are in the same order.
 inline void level_endless(const std::vector<double>& lengths, std::vector<Hierarchy_entry>& entries)
 {
   std::vector<Index> order = by_length(lengths);
@@ -66,8 +66,8 @@ inline void level_endless(const std::vector<double>& lengths, std::vector<Hierar
   }
 }
 
-// For each of some simple closed geodesics of T^0 the others that it crosses there and back and that are shorter.
-// Those for which `is_known` is not set are not looked for. Linear in the mesh, plus the curves that each crosses.
+// For each of some simple closed geodesics of T^0 the shorter ones that it crosses there and back. Those for which
+// `is_known` is false are not listed. Linear in the mesh, plus the curves that each crosses.
 inline Earlier_curves crossed_evenly(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point>>& traces,
                                      const std::vector<double>& lengths, const std::vector<bool>& is_known)
 {
@@ -243,29 +243,29 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// computes the prominence of each of a set of constrictions, and which other one it slides to.
+/// computes the prominence of each of a set of constrictions, and to which other one each slides.
 ///
 /// As for mountain passes, the prominence of a closed geodesic says how much longer it must become before it can slide
-/// to where it is shorter: to a shorter constriction of the set, to one that is not in the set, or off over a point. It
-/// is \f$b/L - 1\f$, where *L* is the length of the curve and *b* its lowest *barrier*: the greatest length on the way.
+/// to a shorter place: to a shorter constriction, of the set or not, or off over a point. It is \f$b/L - 1\f$, where
+/// *L* is the length of the curve and *b* its lowest *barrier*: the greatest length on the way.
 ///
-/// From the curve both sides are swept by the level sets of the distance to it. What has been swept on a side is
-/// bounded by closed curves that together are homologous to the curve. Now and then they are tightened: as long as they
-/// have not got over the pass they do not become shorter than *L*, behind it they do. The barrier of the side is the
-/// greatest length up to the first level behind the pass. The side whose barrier is lower so far is swept on, and
-/// nothing is swept that is higher than the lowest barrier.
+/// The function sweeps both sides of the curve by the level sets of the distance to it. The swept region of a side is
+/// bounded by closed curves that together are homologous to the curve. Now and then the function tightens them. Before
+/// the pass they do not become shorter than *L*; behind the pass they do. The barrier of the side is the greatest
+/// length up to the first level behind the pass. The function always sweeps on the side whose barrier is lower so far,
+/// and so nothing that is higher than the lowest barrier.
 ///
 /// This is an upper bound of the least barrier over all ways on which the curve may split into several: the curve can
 /// be moved through the level sets, and tightening only shortens. The lengths are exact but for rounding, whatever the
 /// error of the distances, which come from fast marching and are right to first order in the size of the faces. They
 /// are sampled at 256 level sets on the first stretch of length *L*.
 ///
-/// What a curve becomes behind the pass is its end: `Constriction::dominated_by()`, or the point where it
-/// `Constriction::slides_off()`. A curve that is not in the set is followed on to what it slides to. From one to the
-/// one that dominates it lengths do not grow, and of two of equal length always the same one stands for both, so that
-/// the way along `Constriction::dominated_by()` ends. A curve that does not separate may have no end: it cannot become
-/// shorter. Its prominence tells how long it is when its sides, swept, have met; of several of the same length it is
-/// the least of these values.
+/// Behind the pass the curve ends: in a shorter constriction, `Constriction::dominated_by()`, or in a point, where it
+/// `Constriction::slides_off()`. If that constriction is not in the set, the function follows it on to the one that it
+/// slides to. Lengths do not grow along `Constriction::dominated_by()`, and of two curves of equal length always the
+/// same one stands for both, so that the way along it ends. A curve that does not separate may have no end, because it
+/// cannot become shorter. Its prominence tells how long it is when its two swept sides meet; several such curves of the
+/// same length all get the least of these values.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam ConstrictionRange a range of `Constriction<TriangleMesh>`
@@ -274,9 +274,9 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
 ///
 /// \param tm a triangle mesh, closed or with boundary
 /// \param constrictions constrictions of `tm`, as computed on it with the same points
-/// \param out the same constrictions in the same order, with `Constriction::prominence()`,
-///        `Constriction::dominated_by()`, `Constriction::crosses()`, `Constriction::crosses_oddly()` and
-///        `Constriction::rivals()`
+/// \param out the same constrictions in the same order, with `Constriction::prominence()`, `Constriction::isolation()`,
+///        `Constriction::dominated_by()`, `Constriction::slides_off()`, `Constriction::crosses()`,
+///        `Constriction::crosses_oddly()` and `Constriction::rivals()`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \cgalNamedParamsBegin
@@ -294,8 +294,8 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
 ///
 /// \return the output iterator, past the last element that was written
 /// \throws Invalid_input for a mesh that cannot be used
-/// \cost linear in the size of the mesh, plus, for each curve and each that it slides to, O(m log m) for the m faces
-///       that are swept, and the tightening of O(log m) level sets
+/// \cost linear in the size of the mesh; plus, for each curve and each curve that it slides to, O(m log m) for the m
+///       faces that are swept, and the tightening of O(log m) level sets
 ///
 /// \sa `select_constrictions()`
 template <class TriangleMesh, class ConstrictionRange, class OutputIterator,

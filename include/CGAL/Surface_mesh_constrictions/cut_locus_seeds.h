@@ -27,8 +27,8 @@ namespace Surface_mesh_constrictions {
 /// next two edges along the cut locus, whichever way, closes a shorter one, unless it bounds a face. Edges of length
 /// zero are allowed.
 ///
-/// The loops are geodesic but for the resolution of the edges everywhere but at `root` and at the edge that closes
-/// them. They are a source of seed curves for the question of the paper's Section 6, how to find all constrictions.
+/// Up to the resolution of the edges, the loops are geodesic everywhere but at `root` and at the edge that closes them.
+/// They are a source of seed curves for the question of the paper's Section 6, how to find all constrictions.
 ///
 /// \param pm the surface; unchanged
 /// \param root a vertex of it
@@ -59,8 +59,8 @@ OutputIterator cut_locus_seeds_at_vertex(const Progressive_mesh& pm, Index root,
 ///
 /// \param pm the surface; unchanged
 /// \param out an output iterator that takes `Seed_curve`, with `level` the current level
-/// \param max_roots the vertices of the surface, in the order of their ids, are roots, or each second, each third and
-///        so on, so that there are no more than this
+/// \param max_roots the greatest number of roots. The roots are the vertices of the surface in the order of their ids,
+///        or every second, every third vertex and so on.
 /// \return the output iterator, past the last element that was written
 /// \pre `max_roots > 0`
 /// \cost O(size of T^0) for the ids, plus O(n log n) for each root, n being the vertices of the current surface, plus

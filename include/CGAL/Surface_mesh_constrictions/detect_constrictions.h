@@ -66,11 +66,11 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// finds constrictions of a triangle mesh: simple closed curves on it whose length is locally minimal.
 ///
-/// The mesh is copied and the copy simplified by edge collapses; seed curves are found on the way; the collapses are
-/// undone one by one and the curves carried along; on the input mesh they are tightened until they are closed
-/// geodesics. Degenerate curves are dropped and equal ones merged. Of the closed geodesics that are left those are
-/// selected that a person would call necks, each once: see `select_constrictions()`. This is the method of
-/// \cgalCite{ha_dccps_03}. The function is the composition of the package's stages; see the user manual.
+/// The function copies the mesh, simplifies the copy by edge collapses, and finds seed curves on the way. It undoes the
+/// collapses one by one and carries the curves along. On the input mesh it tightens them until they are closed
+/// geodesics, drops degenerate curves, merges equal ones, and certifies the others. Of these it selects those that a
+/// person would call necks, each once: see `select_by_prominence()`. This is the method of \cgalCite{ha_dccps_03}. The
+/// function is the composition of the package's stages; see the user manual.
 ///
 /// The boundary of a mesh is an obstacle: curves may touch it, and run along it. See "Surfaces with Boundary" in the
 /// user manual.
@@ -91,8 +91,8 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tm`}
-///     \cgalParamType{a class model of `ReadablePropertyMap` whose value type is a 3D point; other than double
-///                    coordinates are rounded to the nearest double for the search}
+///     \cgalParamType{a class model of `ReadablePropertyMap` whose value type is a 3D point; coordinates that are not
+///                    doubles are rounded to the nearest double for the search}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_index_map}
@@ -103,12 +103,12 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///   \cgalParamNBegin{get_cost}
 ///     \cgalParamDescription{the cost of an edge collapse; give `get_placement` with it}
 ///     \cgalParamType{a model of `GetCost` for edge profiles of `Simplification_mesh`}
-///     \cgalParamDefault{`GarlandHeckbert_plane_policies`}
+///     \cgalParamDefault{that of `simplification_policies`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{get_placement}
 ///     \cgalParamDescription{the position of the vertex that an edge is collapsed to; give `get_cost` with it}
 ///     \cgalParamType{a model of `GetPlacement` for edge profiles of `Simplification_mesh`}
-///     \cgalParamDefault{`GarlandHeckbert_plane_policies`}
+///     \cgalParamDefault{that of `simplification_policies`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{simplification_policies}
 ///     \cgalParamDescription{the cost and the placement of edge collapses; if several are given, the mesh is simplified
@@ -118,12 +118,12 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{seed_sources}
 ///     \cgalParamDescription{where the seed curves come from}
-///     \cgalParamType{a model of `ConstrictionSeedSource`; several are one, `Seed_sources`}
+///     \cgalParamType{a model of `ConstrictionSeedSource`; `Seed_sources` makes one of several}
 ///     \cgalParamDefault{`Default_seed_sources`, or `Non_face_triangle_seeds` with `first_constriction_only`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{seed_detection}
-///     \cgalParamDescription{asks for non-face triangles only, as in the paper, and when they are noticed; not looked
-///                           at if `seed_sources` is given}
+///     \cgalParamDescription{makes non-face triangles the only seed curves, as in the paper, and says when they are
+///                           noticed; ignored if `seed_sources` is given}
 ///     \cgalParamType{`Seed_detection`}
 ///     \cgalParamDefault{unset}
 ///   \cgalParamNEnd
@@ -136,13 +136,13 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether each curve is certified with exact arithmetic, and corrected where rounding has
-///                           led it astray. What is proved to be no constriction is not returned.}
+///                           led it astray. A curve that is proved not to be a constriction is not returned.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certified_only}
-///     \cgalParamDescription{whether to leave out curves of which a sign stayed open, so that neither is proved: that
-///                           they are constrictions, or that they are not. Their certificates say which sign.}
+///     \cgalParamDescription{whether to leave out curves that are neither proved to be constrictions nor proved not to
+///                           be, because a sign stayed open. Their certificates say which sign.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -153,39 +153,39 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_prominence}
-///     \cgalParamDescription{the prominence that a selected constriction has at least}
+///     \cgalParamDescription{the least prominence of a selected constriction}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.05}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_isolation}
-///     \cgalParamDescription{the isolation that a selected constriction has at least, see `select_by_prominence()`}
+///     \cgalParamDescription{the least isolation of a selected constriction, see `select_by_prominence()`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.15}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_isoperimetric_ratio}
-///     \cgalParamDescription{the ratio \f$L^2/(4 \pi A)\f$ that a selected constriction has at most, if it separates}
+///     \cgalParamDescription{the greatest ratio \f$L^2/(4 \pi A)\f$ of a selected constriction that separates}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.25}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_curve_length}
-///     \cgalParamDescription{the length that a constriction has at least; of what is selected without it shorter
-///                           ones are left out: see `select_by_prominence()`}
+///     \cgalParamDescription{the least length, in the unit of the mesh's coordinates: shorter constrictions are left
+///                           out after the selection, see `select_by_prominence()`}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_curve_length}
-///     \cgalParamDescription{the length that a constriction has at most, as above}
+///     \cgalParamDescription{the greatest length, as above}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_constrictions}
-///     \cgalParamDescription{how many constrictions are selected at most, those that rank highest}
+///     \cgalParamDescription{the greatest number of constrictions; those that rank highest are selected}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{crossing_constrictions}
-///     \cgalParamDescription{whether to select also constrictions that cross others that are selected, or that could
-///                           be as well: see `select_by_prominence()`}
+///     \cgalParamDescription{whether to select also constrictions that cross selected ones or rivals of theirs, or that
+///                           are composed of shorter ones: see `select_by_prominence()`}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -202,22 +202,22 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{notified of the progress and of what became of the seeds}
+///     \cgalParamDescription{is told of the progress, and at the end how the seeds ended}
 ///     \cgalParamType{a model of `ConstrictionDetectionVisitor`; it is copied}
 ///     \cgalParamDefault{`Detection_visitor_base`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Those from `simplification_policies` to `all_constrictions` are the package's own: see
+/// The parameters from `simplification_policies` to `all_constrictions` are the package's own: see
 /// \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
 ///
 /// \return the output iterator, past the last constriction
-/// \throws Invalid_input for a mesh that cannot be used, and, with `certify`, for a coordinate that is no rational
+/// \throws Invalid_input for a mesh that cannot be used, and, with `certify`, for a coordinate that is not a rational
 ///         number of moderate size; it says what is wrong and where
-/// \throws whatever the visitor throws; `tm` is as before then, and nothing has been written
-/// \cost that of the simplification, O(n log n) for n faces, plus that of the seed sources, plus that of
-///       `carry_seed_curves()`, or `refine_seed_curves()` if a `tightening_schedule` asks for it, plus for each curve
-///       that is left on the input linear in the lengths of the strips that it is led through, plus that of
+/// \throws exceptions of the visitor; then nothing has been written
+/// \cost The simplification is O(n log n) for n faces. Add that of the seed sources, and that of `carry_seed_curves()`,
+///       or of `refine_seed_curves()` with another `tightening_schedule` than `UNSTRAIGHTENED`. Each curve that is left
+///       on the input is linear in the lengths of the strips that it is led through, plus that of
 ///       `certify_constriction()` and `compute_prominences()`. Memory: O(n), plus the seed curves.
 ///
 /// \sa `tighten_closed_curve()`

@@ -52,12 +52,12 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// finds the constrictions near a location: "the loop around this arm".
 ///
-/// It is `detect_constrictions()` with seeds that pass through the location: the loops of `Local_cut_locus_seeds` at
-/// the vertex of `tm` that is nearest to `location`; and of a mesh with holes the boundaries of the three nearest ones,
-/// `Local_boundary_seeds`. The constrictions that the seeds lead to are written in the order
-/// of \f$d (1 + d/L) + L/10\f$, where \f$L\f$ is the length and \f$d\f$ the distance in space from the location, less
-/// the width of the flat band if there is one: the nearest first, but of two that are about as near the shorter one,
-/// and one that is several times its length away late.
+/// It is `detect_constrictions()` with other seeds: the loops of `Local_cut_locus_seeds` at the vertex of `tm` that is
+/// nearest to `location`; and, on a mesh with holes, the boundaries of the three nearest holes, `Local_boundary_seeds`.
+/// The constrictions that the seeds lead to are written in ascending order of \f$d (1 + d/L) + L/10\f$, where \f$L\f$
+/// is the length of the curve and \f$d\f$ its distance in space from the location, less the width of its flat band. So
+/// the nearest comes first; of two that are about as near the shorter one; and late one whose distance is several times
+/// its length.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.
@@ -69,34 +69,34 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
 /// \param tm a triangle mesh, as for `detect_constrictions()`
 /// \param location a point on the surface or near it
 /// \param out the constrictions, the nearest first. The places that `Constriction::dominated_by()` and
-///        `Constriction::crosses()` name are those in this sequence, and prominences are with respect to the
-///        constrictions that these seeds lead to.
+///        `Constriction::crosses()` name are those in this sequence. Prominences are measured among the constrictions
+///        that these seeds lead to.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
 ///        `detect_constrictions()` but for `seed_sources`, `seed_detection` and `first_constriction_only`, with these
 ///        differences:
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_prominence}
-///     \cgalParamDescription{the prominence that a constriction has at least}
+///     \cgalParamDescription{the least prominence of a constriction}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{0: around a tube that does not widen there are only constrictions of small prominence, and
-///                       one of them is what is asked for}
+///     \cgalParamDefault{0: around a tube that does not widen all constrictions have a small prominence, and the caller
+///                       wants one of them}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_isolation}
-///     \cgalParamDescription{the isolation that a constriction has at least among those of no less prominence}
+///     \cgalParamDescription{the least isolation of a constriction among those of no less prominence}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_constrictions}
-///     \cgalParamDescription{how many constrictions are written at most, the nearest ones}
+///     \cgalParamDescription{the greatest number of constrictions; the nearest are written}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the output iterator, past the last constriction
-/// \throws Invalid_input as `detect_constrictions()`, and for a location with a coordinate that is no finite number
-/// \throws whatever the visitor throws; nothing has been written then
+/// \throws Invalid_input as `detect_constrictions()`, and for a location with a coordinate that is not a finite number
+/// \throws exceptions of the visitor; then nothing has been written
 /// \cost that of `detect_constrictions()` with the seeds of 64 roots: hardly more than that of the simplification
 ///
 /// \sa `detect_constrictions()`

@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// A cap that `extract_parts()` closes a part with.
+/// A cap with which `extract_parts()` closes a part.
 template <class TriangleMesh>
 struct Part_cap
 {
@@ -79,19 +79,19 @@ OutputIterator extract_parts_checked(const TriangleMesh& tm, EdgeIsConstrainedMa
 ///
 /// The caps on the two sides of a cut are the same surface: the triangles of one are those of the other, turned over.
 /// So the volumes of the parts add up to that of the mesh, up to rounding. The triangles are those of
-/// `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`, or, where one of their sides is an edge of the mesh
-/// already, those of least area without such sides; where there are none, the cone to the mean of the vertices. Where
-/// curves share a stretch of edges, and the holes of different parts therefore have some edges in common and others
-/// not, all of them are closed by cones to one common point. Where a curve touches itself or another, the hole is
-/// closed as several.
+/// `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`. If one of their sides is already an edge of the mesh,
+/// they are those of a triangulation of least area without such sides, and if there is none, those of the cone to the
+/// mean of the vertices. Where curves share a stretch of edges, the holes of different parts have some edges in common
+/// and others not; all of these holes are closed by cones to one common point. Where a curve touches itself or another,
+/// the hole is closed as several.
 ///
 /// Holes of the mesh stay open, and so does a hole that runs partly along one of them, unless `with_filled_holes` asks
-/// for closed parts. The holes are filled in the same ways then, and the volumes of the parts add up to that of the
+/// for closed parts. Then the holes are filled in the same ways, and the volumes of the parts add up to that of the
 /// mesh with its holes filled.
 ///
 /// A cap may intersect its part where the surface is strongly bent around a curve, or where the part reaches through
-/// the curve. Which do is told if `cap_output_iterator` is given. The volume of a part is negative if its surface
-/// encloses what is outside of the solid, as the wall of a pocket closed by a cap over its opening.
+/// the curve. `cap_output_iterator` gets which caps do. The volume of a part is negative if its surface encloses a
+/// region outside of the solid, as the wall of a pocket closed by a cap over its opening.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph`, default constructible
 /// \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` with the edges of `tm` as key type and `bool` as value
@@ -116,19 +116,20 @@ OutputIterator extract_parts_checked(const TriangleMesh& tm, EdgeIsConstrainedMa
 ///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{with_filled_holes}
-///     \cgalParamDescription{whether other holes are filled: those of `tm`, and those that run partly along one}
+///     \cgalParamDescription{whether the other holes are filled: holes of `tm`, and holes that run partly along one of
+///                           these}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{cap_output_iterator}
 ///     \cgalParamDescription{takes a `Part_cap` for each cap, those of filled holes included}
 ///     \cgalParamType{a model of `OutputIterator`}
-///     \cgalParamDefault{unset: caps are not looked at for intersections}
+///     \cgalParamDefault{unset: caps are not tested for intersections}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the output iterator, past the last element that was written
-/// \cost linear in the size of the mesh, plus that of triangulating the caps; if they are asked for, that of
+/// \cost linear in the size of the mesh, plus that of triangulating the caps; with `cap_output_iterator` also that of
 ///       `CGAL::Polygon_mesh_processing::self_intersections()` near them
 template <class TriangleMesh, class EdgeIsConstrainedMap, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>

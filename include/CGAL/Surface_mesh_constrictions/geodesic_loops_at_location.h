@@ -47,26 +47,27 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// finds the shortest closed curve around the limb through a location, its girth there, whether that is a constriction
-/// or not; and, if asked for, the next ones.
+/// finds the shortest closed curve through a location around the limb that it is on, the girth of the limb there,
+/// whether the limb is narrow there or not. `maximum_number_of_loops` adds the next ones.
 ///
 /// A closed curve that is held at a location and tightened becomes a geodesic loop: straight everywhere else, with side
 /// angles of at least pi at each other vertex, `Geodesic_loop`. Geodesic loops go through the cut locus of the
-/// location, where two shortest paths from it meet, and there through the local minima of the distance, which are its
-/// saddles. These are looked for with shortest paths along edges: to each belongs the loop of edges through it, and the
-/// lesser part that it cuts off reaches further by some share, its persistence. The 4096 loops of greatest persistence,
-/// among them all of a greedy homotopy basis \cgalCite{ew_gohhg_05}, are tightened with the location held.
+/// location, where two shortest paths from it meet, and there through the local minima of the distance along the cut
+/// locus, which are saddles of the distance. The function looks for these saddles with shortest paths along edges. To
+/// each saddle belongs the loop of edges through it, and a persistence: how much further than the saddle the lesser of
+/// the two parts reaches that meet there. The 4096 loops of greatest persistence, among them all of a greedy homotopy
+/// basis \cgalCite{ew_gohhg_05}, are tightened with the location held.
 ///
-/// The answer is the shortest of the simple geodesic loops that come up and are not folded: at the location their angle
-/// is at least `minimum_loop_angle`. A loop that shrinks to the location while it is held there is none, and one that crosses
-/// or touches itself is left out. What remains is of two kinds, which the result tells apart: a loop that comes to
-/// rest, as a rule at a constriction, when it is let go; and one that shrinks to a point then,
-/// `Geodesic_loop::encloses_tip()`: it slides off over a tip that is steeper than the apex of a cone of 60 degrees, a
-/// finger's say. On a body without such a tip, as a ball, there may be no loop; nothing is written then. If the
-/// location lies on a constriction, that is one of the loops, `Geodesic_loop::is_closed_geodesic`.
+/// The answer is the shortest of the simple geodesic loops that result and are not folded: their angle at the location
+/// is at least `minimum_loop_angle`. A loop that shrinks to the location while it is held is dropped, and so is one
+/// that crosses or touches itself. The loops that remain are of two kinds, which the result tells apart. One comes to
+/// rest when it is let go, as a rule at a constriction. The other one shrinks to a point when it is let go,
+/// `Geodesic_loop::encloses_tip()`: it slides off over a tip, of a finger say, that is steeper than the apex of a cone
+/// of 60 degrees. On a body without such a tip, as a ball, there may be no loop; then nothing is written. If the
+/// location lies on a constriction, the constriction is one of the loops, `Geodesic_loop::is_closed_geodesic`.
 ///
-/// A location inside a face or on an edge is put into a copy of the mesh as a vertex, to which it is rounded; results
-/// are on `tm`. Barycentric coordinates of less than \f$10^{-6}\f$ are taken to be zero.
+/// A location inside a face or on an edge is rounded and put into a copy of the mesh as a vertex; the results are on
+/// `tm`. Barycentric coordinates of less than \f$10^{-6}\f$ are taken to be zero.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam Location a vertex descriptor of `TriangleMesh`, or `Constriction<TriangleMesh>::Face_location`, or a 3D
@@ -75,7 +76,7 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tm a triangle mesh, closed or with boundary, any genus, any number of connected components
-/// \param location where the loops are held. For a point in space, on the surface or not, it is the point of the
+/// \param location where the loops are held. A point in space, on the surface or not, stands for the point of the
 ///        surface that is nearest to it.
 /// \param out the loops, the shortest first
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
@@ -92,14 +93,14 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 ///     \cgalParamDefault{an automatically indexed internal map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_loops}
-///     \cgalParamDescription{how many loops are written at most, the shortest ones}
+///     \cgalParamDescription{the greatest number of loops; the shortest are written}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{1}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_loop_angle}
-///     \cgalParamDescription{the angle that a loop has at least, in radians, on the side of the location where it is
-///                           smaller: it is near pi around a tube, and small where a loop runs to a limb, around it,
-///                           and back. With 0 the shortest loop of all is written, folded or not.}
+///     \cgalParamDescription{the least angle of a loop at the location, in radians, on the side where it is smaller. It
+///                           is near pi around a tube, and small where a loop runs to a limb, around it, and back. With
+///                           0 the shortest loop of all is written, folded or not.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{a quarter of pi}
 ///   \cgalParamNEnd
@@ -113,12 +114,12 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 /// \cgalNamedParamsEnd
 ///
 /// \return the output iterator, past the last element that was written
-/// \throws Invalid_input for a mesh that cannot be used; for a location with a coordinate that is no finite number, or
-///         that is not on the mesh: an isolated vertex, a vertex or a face that is not one of `tm`, or barycentric
-///         coordinates that are negative or do not add up to 1; and, with `certify`, for a coordinate that is no
+/// \throws Invalid_input for a mesh that cannot be used; for a location with a coordinate that is not a finite number,
+///         or that is not on the mesh: an isolated vertex, a vertex or a face that is not one of `tm`, or barycentric
+///         coordinates that are negative or do not add up to 1; and, with `certify`, for a coordinate that is not a
 ///         rational number of moderate size
-/// \cost O(n log n) for n faces, plus for each of the 4096 loops linear in the lengths of the strips that it is led
-///       through until it is what another one was on its way, plus for each loop that is written the cost of
+/// \cost O(n log n) for n faces; plus, for each of the 4096 loops, linear in the lengths of the strips that it is led
+///       through until it meets the way of another loop; plus, for each loop that is written, the cost of
 ///       `tighten_closed_curve()`
 ///
 /// \sa `detect_constrictions_near()`

@@ -38,8 +38,8 @@ Progressive_mesh make_progressive_mesh_checked(const TriangleMesh& tm, const std
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tm`}
-///     \cgalParamType{a class model of `ReadablePropertyMap` whose value type is a 3D point; other than double
-///                    coordinates are rounded to the nearest double}
+///     \cgalParamType{a class model of `ReadablePropertyMap` whose value type is a 3D point; coordinates that are not
+///                    doubles are rounded to the nearest double}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_index_map}

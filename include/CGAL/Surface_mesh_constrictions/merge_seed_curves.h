@@ -34,30 +34,31 @@ namespace Surface_mesh_constrictions {
 /// Which seeds `merge_seed_curves()` keeps.
 struct Merging_parameters
 {
-  /// how many are kept of those that become equal, at least one. On T^0 it is one.
+  /// how many seeds are kept of those that become equal, at least one. On T^0 one is kept.
   std::size_t kept = 12;
-  /// whether the tightened copy is kept, moved to edges, one of those that become equal; or else the seeds as they are
+  /// whether, of the seeds that become equal, the tightened copy is kept, moved to edges, instead of the seeds
+  /// themselves
   bool tight = false;
-  /// the greatest isoperimetric ratio of a copy that parts the surface, see `Constriction::isoperimetric_ratio()`. A
-  /// seed that is so long that its own is more than six times greater is not even tightened.
+  /// the greatest isoperimetric ratio of a copy that separates, see `Constriction::isoperimetric_ratio()`. A seed whose
+  /// own ratio is more than 6.25 times greater is not even tightened.
   double maximum_isoperimetric_ratio = (std::numeric_limits<double>::infinity)();
-  /// the least prominence of a copy among the others, see `compute_prominences()`; 0 or less for any. A copy that is
-  /// less prominent is kept if the level holds it at all, as finer ones may hold it better; what it slides to is kept
-  /// in any case.
+  /// the least prominence of a copy among the others, see `compute_prominences()`; 0 or less for any. A less prominent
+  /// copy is kept if the level holds it at all, since finer levels may hold it better. The curve that it slides to is
+  /// kept in any case.
   double minimum_prominence = 0;
-  /// whether, if a prominence is asked for, copies are kept that cross many shorter ones there and back, or are
-  /// composed of shorter ones, see `parameters::crossing_constrictions()`: where many bumps stand side by side there
-  /// are thousands of them
+  /// whether copies are kept that cross many shorter ones there and back, or are composed of shorter ones, see
+  /// `parameters::crossing_constrictions()`; without a least prominence all are. Where many bumps stand side by side
+  /// there are thousands of such copies.
   bool crossing = true;
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What becomes of a seed when seeds are merged.
+/// How a seed ends when seeds are merged.
 enum class Merging_verdict
 {
   KEPT,       ///< it goes on
   DEGENERATE, ///< it shortens to a point
-  DISCARDED   ///< what it shortens to is not asked for
+  DISCARDED   ///< the curve that it shortens to does not meet the `Merging_parameters`
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -71,9 +72,8 @@ struct Merged_seed
 
 namespace internal {
 
-// Carries seeds, in an order from the coarsest level, to a level as paths of edges, each path once. Those of finer
-// levels stay where they are: the number of the others is written to `number_carried`. The surface is at the level
-// afterwards.
+// Carries seeds, in an order from the coarsest level, to a level as paths of edges, each path once. Seeds of finer
+// levels are not carried; `number_carried` gets the number of those that are. The surface is at the level afterwards.
 inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,
                                                const std::vector<std::size_t>& order, std::size_t level,
                                                std::size_t& number_carried)
@@ -107,26 +107,27 @@ inline std::vector<Merged_seed> distinct_paths(Progressive_mesh& pm, const std::
 /// merges seed curves early, on a coarse level where that is cheap, and discards those that lead nowhere.
 ///
 /// The seeds of coarser levels are carried to the given level as paths of edges. A copy of each seed is tightened
-/// there, unless it is far too long. Seeds whose copies shorten to a point are given up; so are those whose copies are
-/// not asked for. Of the seeds whose copies become equal only some are kept, from the shortest to the longest at equal
-/// steps; each of the others is handed to the one kept before it. What is kept is not tightened, unless that is asked
-/// for: a curve that is tight on a coarse level often lies where it slips off later on.
+/// there, unless it is far too long. Seeds whose copies shorten to a point are given up; so are those whose copies do
+/// not meet `parameters`. Of the seeds whose copies become equal only some are kept, from the shortest to the longest
+/// at equal steps; each of the others is counted to the one kept before it. Unless `Merging_parameters::tight` is set,
+/// the kept seeds themselves are not tightened: a curve that is tight on a coarse level often slips off on a finer one.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.
 /// \tparam OutputIterator takes `Merged_seed`
 ///
 /// \param pm the surface; at the given level afterwards
-/// \param seeds the seeds, on any levels, in any order. Those of finer levels are written as they are. Where copies are
-///        measured, what a copy that is given up for its prominence slides to is kept in its stead; if no seed leads
-///        there, one is appended, with the origin `Seed_origin::BARRIER`.
+/// \param seeds the seeds, on any levels, in any order. Those of finer levels are written as they are. The curve that a
+///        copy of too small a prominence slides to is kept; if no seed leads to that curve, one is appended, with the
+///        origin `Seed_origin::BARRIER`.
 /// \param level the level to merge on
 /// \param parameters what is kept
 /// \param out an output iterator
 /// \return the output iterator, past the last element that was written
 /// \pre `parameters.kept > 0` and `level <= pm.number_of_collapses()`
 /// \cost O(degree) for each level and for each vertex split on a path, plus for each seed that of tightening it on the
-///       given level until it is what another one was on its way, plus that of the areas and prominences asked for
+///       given level until it meets the way of another one, plus that of areas and prominences if `parameters` bounds
+///       them
 template <class ConcurrencyTag = Sequential_tag, class OutputIterator>
 OutputIterator merge_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& seeds, std::size_t level,
                                  const Merging_parameters& parameters, OutputIterator out)

@@ -62,8 +62,8 @@ struct Refinement_visitor_base
 /// \param visitor is told of each level and of each change of a curve
 /// \return the output iterator, past the last element that was written
 /// \pre `schedule != Tightening_schedule::UNSTRAIGHTENED`, and each seed is a closed path of edges of its level
-/// \cost O(degree) for each level, plus what is touched: for each curve through the star that is split, linear in the
-///       lengths of the strips between the pivots around it
+/// \cost O(degree) for each level, plus, for each curve through the star that is split, linear in the lengths of the
+///       strips between the pivots around the star
 template <class OutputIterator, class Visitor>
 OutputIterator refine_seed_curves(Progressive_mesh& pm, const std::vector<Seed_curve>& seeds,
                                   Tightening_schedule schedule, OutputIterator out, Visitor& visitor)

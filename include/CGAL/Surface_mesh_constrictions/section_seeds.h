@@ -44,9 +44,9 @@ OutputIterator write_sections(const Progressive_mesh& pm, const Edge_graph& grap
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// writes the sections of the current surface by parallel planes, as closed paths of edges: the boundary loops of the
-/// faces that lie on one side of the plane with all their vertices. Each loop once; of loops of neighbouring planes
-/// that follow each other along a tube only those beside which the section is no longer than beside their neighbours,
-/// and those of each seventh plane.
+/// faces that lie on one side of the plane with all their vertices. Each loop is written once. Of loops of neighbouring
+/// planes that follow each other along a tube, only those are written beside which the section is no longer than beside
+/// their neighbours, and those of every seventh plane.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.
@@ -80,8 +80,8 @@ OutputIterator plane_section_seeds(const Progressive_mesh& pm, OutputIterator ou
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// writes sections of the current surface between pairs of its vertices, as closed paths of edges: level sets of the
 /// difference between the distances along edges to two vertices, of which the middle one runs half way between them.
-/// Each loop once; of loops that follow each other along a tube only those beside which the level set is no longer than
-/// beside their neighbours, and those of each seventh level.
+/// Each loop is written once. Of loops that follow each other along a tube, only those are written beside which the
+/// level set is no longer than beside their neighbours, and those of every seventh level.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.

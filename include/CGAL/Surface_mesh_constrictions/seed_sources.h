@@ -25,14 +25,14 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What a model of `ConstrictionSeedSource` is told about the level that it is called for.
+/// The level for which a model of `ConstrictionSeedSource` is called.
 struct Seed_level
 {
   std::size_t vertices;                         ///< number of vertices of the current surface that are not isolated
   std::size_t number_of_collapses;              ///< the level of the coarsest surface
   Index merged;                                 ///< the vertex that the last collapse kept; `null_index` on T^0
   const std::vector<Seed_curve>* refused_seeds; ///< as recorded during the simplification, sorted by level
-  bool is_parallel = false;                     ///< whether more than one thread is asked for
+  bool is_parallel = false;                     ///< whether the caller allows more than one thread
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -75,8 +75,8 @@ struct Refused_collapse_seeds
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Seed source that writes the seeds of another one whose vertices are all saddle points of their surface: the sum of
-/// the angles at each is greater than 2 pi (Section 5.2 of the paper).
+/// Seed source that writes those seeds of another source whose vertices are all saddle points of their surface: the sum
+/// of the angles at each vertex is greater than 2 pi (Section 5.2 of the paper).
 ///
 /// \cgalModels{ConstrictionSeedSource}
 ///
@@ -87,7 +87,7 @@ template <class SeedSource>
 class Saddle_seeds
 {
 public:
-  /// \param source the source whose seeds are looked at
+  /// \param source the source whose seeds are filtered
   explicit Saddle_seeds(SeedSource source = SeedSource()) : m_source(std::move(source)) {}
 
   /// writes the seeds of the level
@@ -120,7 +120,7 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Seed source that writes given closed paths of edges of T^0. Vertices are numbered as they come in `vertices(tm)`.
+/// Seed source that writes given closed paths of edges of T^0. Vertices are numbered in the order of `vertices(tm)`.
 ///
 /// \cgalModels{ConstrictionSeedSource}
 ///
@@ -151,12 +151,13 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Whether a surface is the first one, as they are simplified, that has no more than the given number of vertices, or
-/// the coarsest one if none has: for seed sources that look at one level only.
+/// whether a surface is the first one in the course of the simplification that has no more than the given number of
+/// vertices, or the coarsest one if none has. For seed sources that look at one level only.
 ///
 /// \param pm the surface
-/// \param level what a seed source is told about it
+/// \param level the argument of the same name that the seed source got
 /// \param vertices the number of vertices that are not isolated
+/// \cost constant
 inline bool is_level_with(const Progressive_mesh& pm, const Seed_level& level, std::size_t vertices)
 {
   return level.vertices == vertices || (level.vertices < vertices && pm.level() == 0) ||
@@ -172,7 +173,7 @@ inline bool is_level_with(const Progressive_mesh& pm, const Seed_level& level, s
 class Cut_locus_seeds
 {
 public:
-  /// \param vertices the number of vertices of the surface that the loops are looked for on
+  /// \param vertices the number of vertices of the surface on which loops are searched
   /// \param max_roots see `cut_locus_seeds()`
   explicit Cut_locus_seeds(std::size_t vertices = 1000, std::size_t max_roots = 167)
     : m_vertices(vertices), m_max_roots(max_roots)
@@ -198,7 +199,7 @@ private:
 ///
 /// \cgalModels{ConstrictionSeedSource}
 ///
-/// \cost about 5,000 times linear in the given number of vertices
+/// \cost linear in the given number of vertices for each of about 5,000 sections
 class Section_seeds
 {
 public:
@@ -226,10 +227,12 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Seed source: the boundaries of the holes, see `boundary_seeds()`, of T^0 and of one coarse surface. None on closed
-/// meshes.
+/// Seed source that writes the boundaries of the holes, see `boundary_seeds()`, of T^0 and of one coarse surface. There
+/// are none on closed meshes.
 ///
 /// \cgalModels{ConstrictionSeedSource}
+///
+/// \cost linear in the number of boundary edges of the two surfaces
 class Boundary_seeds
 {
 public:
@@ -248,11 +251,13 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Several seed sources as one: what each of them writes, in their order.
+/// Seed source that writes the seeds of several other ones, one source after the other.
 ///
 /// \cgalModels{ConstrictionSeedSource}
 ///
 /// \tparam SeedSource models of `ConstrictionSeedSource`
+///
+/// \cost that of all sources together
 template <class... SeedSource>
 class Seed_sources
 {
@@ -273,8 +278,8 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The seed sources that are used by default: those that together find most constrictions, chosen by the study in the
-/// user manual.
+/// The default seed sources: those that together find most constrictions, as measured in the section "Which Sources
+/// Find How Much" of the user manual.
 ///
 /// \cgalModels{ConstrictionSeedSource}
 struct Default_seed_sources

@@ -34,13 +34,13 @@ Surface_parts segment_by_constrictions_checked(const TriangleMesh& tm, const Con
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// tells the parts that a surface falls into when it is cut along closed curves. The mesh is not changed: each face
-/// gets the number of the part in which most of it lies. The parts themselves are bounded by the curves exactly; their
-/// areas and volumes are those of the pieces of the crossed faces.
+/// computes the parts into which cuts along closed curves divide a surface. The mesh is not changed: each face gets the
+/// number of the part in which most of it lies. The parts themselves are bounded by the curves exactly: a crossed face
+/// adds to the area and the volume of each part the piece that lies in it.
 ///
-/// A curve that does not separate is cut, too. Curves may touch at vertices, and share arcs. Of two curves that cross,
-/// the more prominent cuts; of equally prominent ones, as when prominences have not been computed, the earlier. A curve
-/// that crosses itself does not cut.
+/// A curve that does not separate cuts, too. Curves may touch at vertices, and share arcs. Of two curves that cross,
+/// the more prominent one cuts; of two that are equally prominent, or have no prominence, the earlier one. A curve that
+/// crosses itself does not cut.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam ConstrictionRange a range of `Constriction<TriangleMesh>`
@@ -55,8 +55,8 @@ Surface_parts segment_by_constrictions_checked(const TriangleMesh& tm, const Con
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tm`}
-///     \cgalParamType{a class model of `ReadablePropertyMap` whose value type is a 3D point; other than double
-///                    coordinates are rounded to the nearest double}
+///     \cgalParamType{a class model of `ReadablePropertyMap` whose value type is a 3D point; coordinates that are not
+///                    doubles are rounded to the nearest double}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tm)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_index_map}
@@ -65,19 +65,19 @@ Surface_parts segment_by_constrictions_checked(const TriangleMesh& tm, const Con
 ///     \cgalParamDefault{an automatically indexed internal map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_prominence}
-///     \cgalParamDescription{the prominence that a curve has at least, to cut}
+///     \cgalParamDescription{the least prominence of a curve that cuts}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{unset: all curves cut}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{choked_side}
-///     \cgalParamDescription{what a curve chokes, to cut: with `Side::OBJECT` the surface is cut at its necks, and not
-///                           around the holes of its handles}
+///     \cgalParamDescription{only curves that choke this side cut: with `Side::OBJECT` the surface is cut at its necks,
+///                           and not around the holes of its handles}
 ///     \cgalParamType{`Side`}
 ///     \cgalParamDefault{unset: all curves cut}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_parts}
-///     \cgalParamDescription{how many parts there are at most; if all curves give more, only as many cut, those
-///                           that rank highest first, as are needed for that many parts}
+///     \cgalParamDescription{the greatest number of parts; if all curves give more, only the highest-ranking curves
+///                           cut, as many as give this number of parts}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{unset: all curves cut}
 ///   \cgalParamNEnd
@@ -85,8 +85,9 @@ Surface_parts segment_by_constrictions_checked(const TriangleMesh& tm, const Con
 ///
 /// The last three are the package's own: see \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
 ///
-/// \return the parts, in the order of their first faces; which meet at which curve; and what became of each curve
-/// \throws Invalid_input for a mesh that cannot be used, and for a curve that is no closed sequence of locations
+/// \return the parts, in the order of their first faces; which of them meet at which curve; and for each curve whether
+///         it cuts, and if not, why
+/// \throws Invalid_input for a mesh that cannot be used, and for a curve that is not a closed sequence of locations
 /// \cost linear in the size of the mesh, plus, for each crossing, linear in the number of crossings of the same edge
 ///       and of strands in the same face, plus, for each stretch on which two curves cross the same edges, linear in
 ///       its length; with `maximum_number_of_parts` that times the logarithm of the number of curves

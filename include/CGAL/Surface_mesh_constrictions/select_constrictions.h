@@ -26,16 +26,16 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The prominence that a constriction has at least, to be selected by default.
+/// The default least prominence of a selected constriction.
 constexpr double default_minimum_prominence = 0.05;
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The isolation that a constriction has at least among those selected by default, see `Constriction::isolation()`.
-/// Around a tube two that are nearer to each other than half of its diameter are one place.
+/// The default least isolation of a selected constriction, see `Constriction::isolation()`: two curves around a tube
+/// count as one place if they are nearer to each other than half of its diameter.
 constexpr double default_minimum_isolation = internal::area_of_one_place; // 0.15
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The isoperimetric ratio that a separating constriction has at most, to be selected by default.
+/// The default greatest isoperimetric ratio of a selected constriction that separates.
 constexpr double default_maximum_isoperimetric_ratio = 0.25;
 
 namespace internal {
@@ -60,13 +60,13 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// selects constrictions by their prominence, which must be known: those that a person would call necks, each once.
-/// They are ranked by prominence times roundness, see `Constriction::roundness()`: of what is held alike that comes
-/// first which goes straight around one limb.
+/// selects constrictions by their prominence, which must be known: those that a person would call necks, each once. The
+/// selected ones are ranked by prominence times roundness, see `Constriction::roundness()`. So of two that hold as
+/// firmly the one comes first that goes straight around one limb.
 ///
-/// A constriction whose prominence is too small can slide, getting hardly longer, to where it is shorter; it is
-/// represented by the first selected one on the way along `Constriction::dominated_by()`. So all thresholds can be
-/// changed later, at the cost of sorting.
+/// A constriction of small prominence hardly gets longer while it slides to a shorter place. The first selected
+/// constriction on the way along `Constriction::dominated_by()` represents it. So all thresholds can be changed later,
+/// at the cost of sorting.
 ///
 /// \tparam ConstrictionRange a range of `Constriction<TriangleMesh>`
 /// \tparam OutputIterator takes `Constriction<TriangleMesh>`
@@ -74,56 +74,56 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 ///
 /// \param constrictions as written by `compute_prominences()`, by this function, or by `detect_constrictions()`
 /// \param out the selected ones, those that rank highest first, those of the same rank in their former order.
-///        `Constriction::dominated_by()` is the place in this sequence of the representative of the one that it was.
+///        `Constriction::dominated_by()` is the place in this sequence of the representative.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_prominence}
-///     \cgalParamDescription{the prominence that a selected constriction has at least}
+///     \cgalParamDescription{the least prominence of a selected constriction}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.05}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_isolation}
-///     \cgalParamDescription{the isolation that a selected constriction has at least, see `Constriction::isolation()`:
-///                           the area that it must sweep to become the next one that is selected and no less
-///                           prominent, along `Constriction::dominated_by()`, relative to its squared length. That
-///                           one stands for those that lie nearer beside it.}
+///     \cgalParamDescription{the least isolation of a selected constriction, see `Constriction::isolation()`: the area
+///                           that it must sweep to become the next selected one along
+///                           `Constriction::dominated_by()` that is no less prominent, relative to its squared length.
+///                           That one stands for those that lie nearer to it.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.15}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_isoperimetric_ratio}
-///     \cgalParamDescription{the ratio \f$L^2/(4 \pi A)\f$ of length and smaller area that a selected constriction
-///                           has at most, if it separates. It is 1/2 for the equator of a sphere, and 1/4 for the rim
-///                           of a cylinder with a half sphere at its end that sticks out as far as it is wide.}
+///     \cgalParamDescription{the greatest ratio \f$L^2/(4 \pi A)\f$ of a selected constriction that separates, where
+///                           *L* is its length and *A* the smaller of its two areas. The ratio is 1/2 for the equator
+///                           of a sphere, and 1/4 for the rim of a cylinder with a half sphere at its end that sticks
+///                           out as far as it is wide.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0.25}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_curve_length}
-///     \cgalParamDescription{the length that a constriction has at least, in the unit of the mesh's coordinates. The
-///                           bounds of the length are looked at last, when all else is decided: what is left is a part
-///                           of what is selected without them, also with `all_constrictions`, and no curve comes in
-///                           because one that it crosses, or lies beside, is of another length.}
+///     \cgalParamDescription{the least length of a constriction, in the unit of the mesh's coordinates. The bounds of
+///                           the length are applied last: constrictions are selected without them, also with
+///                           `all_constrictions`, and those out of bounds are then left out. So no curve is selected
+///                           because a curve that it crosses or lies beside is out of bounds.}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_curve_length}
-///     \cgalParamDescription{the length that a constriction has at most, as above}
+///     \cgalParamDescription{the greatest length, as above}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_constrictions}
-///     \cgalParamDescription{how many constrictions are selected at most, those that rank highest of those whose
-///                           length is within the bounds}
+///     \cgalParamDescription{the greatest number of constrictions: those are selected that rank highest among those
+///                           whose length is within the bounds}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{crossing_constrictions}
-///     \cgalParamDescription{whether to select also constrictions that cross a more prominent one that is selected,
-///                           there and back: see `Constriction::crosses()`; those that have a rival that could be
-///                           selected instead, where there are others: see `Constriction::rivals()`; those that cross
-///                           four shorter ones of a prominence of 0.3 or more, or sixteen of any; and those that are
-///                           composed of shorter ones: modulo 2 their homology class is the sum of the classes of
-///                           shorter ones, one of which they cross}
+///     \cgalParamDescription{whether to select also constrictions that cross a more prominent selected one there and
+///                           back, see `Constriction::crosses()`; that have a rival which could be selected instead,
+///                           see `Constriction::rivals()`; that cross four shorter ones of a prominence of 0.3 or more,
+///                           or sixteen of any prominence; or that are composed of shorter ones: modulo 2 their
+///                           homology class is the sum of the classes of shorter ones, one of which they cross}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -134,8 +134,8 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{all_constrictions}
-///     \cgalParamDescription{whether to select all, whatever their prominence, isoperimetric ratio and crossings; the
-///                           bounds of the length and of the number hold for them, too}
+///     \cgalParamDescription{whether to select all, whatever their prominence, isoperimetric ratio and crossings; only
+///                           the bounds of the length and of the number still hold}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

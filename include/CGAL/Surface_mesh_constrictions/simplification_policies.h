@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// A cost and a placement of edge collapses: what models of `ConstrictionSimplificationPolicies` may return.
+/// A cost and a placement of edge collapses, which a model of `ConstrictionSimplificationPolicies` may return.
 ///
 /// \tparam Cost a model of `GetCost` that can be derived from
 /// \tparam Placement a model of `GetPlacement`
@@ -35,8 +35,8 @@ private:
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// Simplification policies: those of CGAL's `GarlandHeckbert_plane_policies`, as in the paper, in less time: costs and
-/// placements are the same. The default.
+/// The default simplification policies, as in the paper: the costs and placements are those of CGAL's
+/// `GarlandHeckbert_plane_policies`, computed in less time.
 ///
 /// \cgalModels{ConstrictionSimplificationPolicies}
 struct Garland_heckbert_policies

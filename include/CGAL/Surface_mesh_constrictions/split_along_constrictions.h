@@ -35,7 +35,7 @@ struct Split_curves
   /// cut
   std::vector<std::vector<halfedge_descriptor>> halfedges;
 
-  std::vector<Cut_outcome> outcomes; ///< what became of each curve of the input
+  std::vector<Cut_outcome> outcomes; ///< for each curve of the input whether it cuts, and if not, why
 };
 
 namespace internal {
@@ -91,23 +91,24 @@ Split_curves<TriangleMesh> split_along_constrictions_checked(TriangleMesh& tm, c
 ///
 /// Every crossing becomes a vertex, and each piece of a crossed face is triangulated, so that its worst triangle is as
 /// good as it can be. Old vertices keep their points and their descriptors. Elements that no curve touches are not
-/// changed. A crossed face is one of the faces that it is split into, and a crossed edge one of its pieces.
+/// changed. The descriptor of a crossed face lives on as one of the faces that it is split into, and that of a crossed
+/// edge as one of its pieces.
 ///
-/// The parameter of a crossing is a double, and so it is the same for both faces at the edge. The crossing is
-/// constructed from it in the kernel of the points, `p + t * (q - p)`: with exact constructions the pieces of an edge
-/// are collinear. With points of doubles it is rounded, but the connectivity does not depend on that: it follows from
-/// the sequence of crossed halfedges alone. The order of crossings on an edge follows from where the curves part.
-/// Crossings whose parameters do not agree with it, or are equal, because they have been rounded, or lie at an end of
-/// the edge, are moved apart by 2^-50 of the length of the edge, or as far as is needed for their points to differ.
-/// Slivers that a curve cuts off are kept: where it passes a vertex at a distance that rounding can hardly tell, faces
-/// may be as thin as that, and with points of doubles their normals may have any direction. If an edge is too short to
-/// hold as many different points of doubles as there are crossings, some coincide, and faces there have area zero.
+/// The parameter of a crossing is a double, the same for both faces at the edge. The new point is `p + t * (q - p)`,
+/// constructed in the kernel of the points. With exact constructions the pieces of an edge are collinear. With points
+/// of doubles the new point is rounded; the connectivity does not depend on that, since it follows from the sequence of
+/// crossed halfedges alone. The order of crossings on an edge follows from where the curves part. If rounding has made
+/// parameters equal, or contrary to this order, or put them to an end of the edge, the crossings are moved apart by
+/// 2^-50 of the length of the edge, or as far as is needed for their points to differ. Slivers that a curve cuts off
+/// are kept. Where a curve passes a vertex at a distance of about a rounding error, faces are as thin as that, and with
+/// points of doubles their normals may have any direction. If an edge is too short to hold as many different points of
+/// doubles as there are crossings, some coincide, and faces there have area zero.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
 /// \tparam ConstrictionRange a range of `Constriction<TriangleMesh>`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tm a mesh whose faces at the curves are triangles; the curves of the range do not fit it any more afterwards
+/// \param tm a mesh whose faces at the curves are triangles; afterwards the curves of the range no longer fit it
 /// \param curves closed curves on `tm`, of which the locations and the prominence count
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -124,8 +125,8 @@ Split_curves<TriangleMesh> split_along_constrictions_checked(TriangleMesh& tm, c
 ///     \cgalParamDefault{an automatically indexed internal map}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{the edges of the curves are put to `true`. The pieces of an edge get what the edge had,
-///                           new edges inside of faces `false`.}
+///     \cgalParamDescription{the edges of the curves are set to `true`. The pieces of an edge get the value of the
+///                           edge, and new edges inside faces `false`.}
 ///     \cgalParamType{a class model of `ReadWritePropertyMap` with the edges of `tm` as key type and `bool` as value
 ///                    type}
 ///     \cgalParamDefault{edges are not marked}
@@ -141,12 +142,12 @@ Split_curves<TriangleMesh> split_along_constrictions_checked(TriangleMesh& tm, c
 ///     \cgalParamDefault{unset: all curves cut}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{choked_side}
-///     \cgalParamDescription{what a curve chokes, to cut}
+///     \cgalParamDescription{only curves that choke this side cut}
 ///     \cgalParamType{`Side`}
 ///     \cgalParamDefault{unset: all curves cut}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_parts}
-///     \cgalParamDescription{how many parts there are at most}
+///     \cgalParamDescription{the greatest number of parts}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{unset: all curves cut}
 ///   \cgalParamNEnd
@@ -154,8 +155,8 @@ Split_curves<TriangleMesh> split_along_constrictions_checked(TriangleMesh& tm, c
 ///
 /// The last three are the package's own: see \ref PkgSurfaceMeshConstrictionsNamedParameters "Named Parameters".
 ///
-/// \return for each curve the halfedges along it, and what became of it
-/// \throws Invalid_input for a curve that is no closed sequence of locations on triangles of `tm`, and, with
+/// \return for each curve the halfedges along it, whether it cuts, and if not, why
+/// \throws Invalid_input for a curve that is not a closed sequence of locations on triangles of `tm`, and, with
 ///         `maximum_number_of_parts`, for a mesh that cannot be used; `tm` is then not changed
 /// \cost linear in the number of crossed faces, if few curves cross each: for each crossing, linear in the number of
 ///       crossings of the same edge and of strands in the same face, plus, for each stretch on which two curves cross

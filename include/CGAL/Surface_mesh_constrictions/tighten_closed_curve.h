@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// What a loop was tightened to.
+/// The result of tightening a loop.
 template <class TriangleMesh>
 struct Tightened_curve
 {
@@ -77,9 +77,9 @@ OutputIterator tighten_closed_curves_checked(const TriangleMesh& tm, const LoopR
 /// "loosening", Section 6).
 ///
 /// Every step shortens the curve, measured in whole multiples of a small unit of length, so the function ends for every
-/// input. Where the loop runs out and back along an edge, or visits the same edge twice, that is shortened away like
-/// everything else. A curve that slips out of a flat band at an end of it that leaks goes on shortening; one that is
-/// held is moved to the canonical end of the band.
+/// input. A loop may run out and back along an edge, or visit an edge twice; tightening removes this. A curve that
+/// slips out of a flat band at an end that leaks goes on shortening; a curve in a band that holds is moved to the
+/// canonical end of the band.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam LoopRange a range of ranges of vertex descriptors
@@ -112,7 +112,7 @@ OutputIterator tighten_closed_curves_checked(const TriangleMesh& tm, const LoopR
 ///
 /// \return the output iterator, past the last element that was written
 /// \throws Invalid_input for a mesh that cannot be used, for a loop that is not a closed path of mesh edges, and, with
-///         `certify`, for a coordinate that is no rational number of moderate size
+///         `certify`, for a coordinate that is not a rational number of moderate size
 /// \cost linear in the size of the mesh, plus for each loop linear in the lengths of the strips that it is led through,
 ///       plus, with `certify`, that of `certify_constriction()`
 template <class TriangleMesh, class LoopRange, class OutputIterator,

@@ -39,13 +39,13 @@ void triangulate_with_face_map_checked(const PolygonMesh& pm, TriangleMesh& tm, 
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// copies a polygon mesh and cuts its faces into triangles, as `detect_constrictions()` needs them, and tells which
-/// polygon each triangle is a piece of.
+/// copies a polygon mesh, cuts its faces into triangles, as `detect_constrictions()` needs them, and records for each
+/// triangle the polygon that it is a piece of.
 ///
 /// Polygons may be non-convex and need not be plane. They are cut as by
-/// `CGAL::Polygon_mesh_processing::triangulate_faces()`, but so that no diagonal joins two vertices that an edge joins
-/// already, wherever that can be done: two edges with the same ends are no mesh for this package. No vertex is added or
-/// moved. A triangle of `pm` remains one.
+/// `CGAL::Polygon_mesh_processing::triangulate_faces()`, but, wherever possible, so that no diagonal joins two vertices
+/// that an edge joins already, because this package refuses two edges with the same ends. No vertex is added or moved.
+/// A triangle of `pm` remains one.
 ///
 /// \tparam PolygonMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
@@ -66,8 +66,8 @@ void triangulate_with_face_map_checked(const PolygonMesh& pm, TriangleMesh& tm, 
 /// \cgalNamedParamsEnd
 ///
 /// \throws nothing of its own
-/// \cost linear in the size of the mesh, times the logarithm of its number for a polygon of many corners; cubic in the
-///       number of corners of a polygon that crosses itself in its projection
+/// \cost linear in the size of the mesh, with a logarithmic factor for polygons of many corners; cubic in the number of
+///       corners of a polygon that crosses itself in its projection
 ///
 /// \sa `detect_constrictions()`
 template <class PolygonMesh, class TriangleMesh, class FaceMap,

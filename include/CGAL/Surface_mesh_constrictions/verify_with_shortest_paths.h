@@ -52,13 +52,13 @@ Shortest_path_verification verify_with_shortest_paths_checked(const TriangleMesh
 /// asks `CGAL::Surface_mesh_shortest_path` whether a curve is a closed geodesic: whether each of its short arcs is the
 /// shortest path between the ends of the arc, in the faces around it.
 ///
-/// This is a witness that is independent of the package. Of the curve only the vertices, crossed halfedges and
-/// parameters of `locations()` are used, and none of the code that computed them. Arcs are of two kinds:
+/// This is a witness that is independent of the rest of the package. It uses the vertices, crossed halfedges and
+/// parameters of `locations()`, and none of the code that computed them. Arcs are of two kinds:
 ///
 /// - *at a vertex* that the curve passes through: from the last point before it to the first point after it on the link
 ///   of the vertex, in the star of the vertex; on the boundary of the mesh that is a fan of faces;
-/// - *between two vertices*: in the strip of the faces that are passed, a face that is passed twice being there twice.
-///   A strip of more than `maximum_number` faces is cut into pieces.
+/// - *between two vertices*: in the strip of the faces that the arc crosses; a face that it crosses twice is in the
+///   strip twice. A strip of more than `maximum_number` faces is cut into pieces.
 ///
 /// Points of the curve other than vertices and crossings are inside a face or an edge, where it is straight by
 /// definition. Every vertex and every crossing is inside an arc, and the patch of the arc contains a neighbourhood of
@@ -74,25 +74,25 @@ Shortest_path_verification verify_with_shortest_paths_checked(const TriangleMesh
 ///
 /// An arc is confirmed if it is not longer than CGAL's distance \f$d\f$, up to \f$10^{-9} d\f$, and if CGAL's path
 /// crosses the same edges in the same order, nowhere further from the arc than \f$10^{-9}\f$ of the patch's size, which
-/// is a power of two between its diameter and twice of that. The second condition is the sharper one: a turn by an
+/// is a power of two between its diameter and twice its diameter. The second condition is the sharper one: a turn by an
 /// angle \f$\epsilon\f$ moves a path by \f$O(\epsilon)\f$, but changes its length by \f$O(\epsilon^2)\f$ only. A
 /// crossing nearer to a vertex than \f$10^{-9}\f$ of its edge is taken to pass through the vertex; so a curve that
 /// passes so close to a vertex of total angle less than \f$2\pi\f$ is refused.
 ///
-/// *What is not asked:* whether the curve is simple, whether a flat band leaks, and whether `length()` is right.
+/// *What is not checked:* whether the curve is simple, whether a flat band leaks, and whether `length()` is right.
 ///
-/// *What it is worth with which kernel.* Patches are moved to the origin and scaled to a diameter of at most 1, because
-/// CGAL compares with an absolute tolerance, and the ends of arcs are vertices of the patch.
+/// *What each kernel shows.* Patches are moved to the origin and scaled to a diameter of at most 1, because CGAL
+/// compares with an absolute tolerance. The ends of arcs are vertices of the patch.
 ///
 /// - `Exact_predicates_inexact_constructions_kernel`: distances have the rounding of doubles. Larger errors of CGAL are
 ///   known on patches that are not scaled and have flat interior vertices; they make distances too large, so they can
 ///   hide a shorter way.
-/// - `Exact_predicates_exact_constructions_kernel`: proves no more. CGAL takes square roots in double precision for it
-///   too, and errs on patches with many flat interior vertices, of which there is one at most here. About 50 times
-///   slower.
+/// - `Exact_predicates_exact_constructions_kernel`: proves no more, and takes about 50 times as long. CGAL takes square
+///   roots in double precision for it, too, and errs on patches with many flat interior vertices; here there is at most
+///   one.
 /// - `Exact_predicates_exact_constructions_kernel_with_sqrt`: CGAL's distances and paths are exact for the patch, whose
 ///   points on edges are those of the rounded parameters. Use it with `maximum_number(2)` or 3: strips of four faces
-///   can take minutes. Stars of six faces take up to a second, unless two ways are equally long; then they may not end.
+///   can take minutes. Stars of six faces take up to a second; if two ways are equally long the search may not end.
 ///
 /// \tparam Kernel a model of the %CGAL kernel concept; the patches have its points
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`

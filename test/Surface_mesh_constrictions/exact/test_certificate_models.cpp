@@ -272,7 +272,7 @@ TEST(CertificateModels, PathThatSkipsAnEdgeIsNoClosedCurve)
   EXPECT_EQ(c.location, 0u);
   std::ostringstream text;
   text << c;
-  EXPECT_EQ(text.str(), "not_certified: no closed curve, point 0 does not fit to the next one");
+  EXPECT_EQ(text.str(), "not_certified: not a closed curve, point 0 does not fit the next one");
   EXPECT_EQ(certify_constriction(test_meshes::make_mesh(soup), Constriction<Mesh>()).verdict,
             Certificate_verdict::NOT_A_CLOSED_CURVE);
 }

@@ -275,8 +275,8 @@ TEST_F(Certify, a_crossing_on_another_edge_is_refused)
   for(std::size_t id = 0; id < moved.at("constrictions").size(); ++id)
   {
     ASSERT_TRUE(std::getline(lines, line));
-    EXPECT_EQ(line, id == 2 ? "2 not_certified: no closed curve, point " + std::to_string(i - 1) +
-                                  " does not fit to the next one"
+    EXPECT_EQ(line, id == 2 ? "2 not_certified: not a closed curve, point " + std::to_string(i - 1) +
+                                  " does not fit the next one"
                             : std::to_string(id) + " strict_constriction");
   }
   EXPECT_FALSE(std::getline(lines, line));
@@ -366,8 +366,8 @@ TEST_F(Certify, unusable_curves)
   expect_point_error(0, middle, "no coordinate of \"barycentric\" is zero");
   expect_point_error(0, {1, 0}, "\"barycentric\" is not three numbers");
   expect_point_error(0, {1, 0, "0"}, "\"barycentric\" is not three numbers");
-  expect_point_error(0, {0, 0, 0}, "\"barycentric\" is no point of a face");
-  expect_point_error(0, {0, -1, 2}, "\"barycentric\" is no point of a face");
+  expect_point_error(0, {0, 0, 0}, "\"barycentric\" is not a point of a face");
+  expect_point_error(0, {0, -1, 2}, "\"barycentric\" is not a point of a face");
 }
 
 TEST_F(Certify, wrong_usage)

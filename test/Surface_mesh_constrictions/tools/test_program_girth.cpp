@@ -52,7 +52,7 @@ TEST_F(Girth, around_a_tube_inside_a_face)
   EXPECT_NEAR(length(c["points"]), 4, 1e-12);
   EXPECT_EQ(c["points"][0], json({4.25, 1.5, 1.0}));
   EXPECT_EQ(c["points"].size(), c["locations"].size());
-  EXPECT_EQ(c["certificate"], "not_certified: held at point 0, which is no vertex");
+  EXPECT_EQ(c["certificate"], "not_certified: held at point 0, which is not a vertex");
   EXPECT_TRUE(c["held"]["vertex"].is_null());
   EXPECT_TRUE(c["held"]["closed_geodesic"]);
   EXPECT_EQ(c["held"]["let_go"], "constriction");
@@ -120,7 +120,7 @@ TEST_F(Girth, the_other_outputs)
 
   const Result csv = run("girth dumbbell.off --at 4.25,1.5,1 --csv -");
   EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'), 2);
-  EXPECT_NE(csv.out.find("\"not_certified: held at point 0, which is no vertex\""), std::string::npos) << csv.out;
+  EXPECT_NE(csv.out.find("\"not_certified: held at point 0, which is not a vertex\""), std::string::npos) << csv.out;
 
   EXPECT_EQ(run("girth dumbbell.off --at 4.25,1.5,1 -o out --polylines lines.txt").exit_code, 0);
   EXPECT_EQ(content("lines.txt"), content("out/constrictions.polylines.txt"));

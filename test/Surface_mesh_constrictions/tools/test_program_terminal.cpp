@@ -110,8 +110,9 @@ TEST_F(Terminal, what_was_written_and_found_is_told)
     return;
   expect_at_the_end(run_in_terminal("view dumbbell.off -o dumbbell.html"),
                     "written: dumbbell.html\n1 constriction, 4 long, around 3 1.5 1.5\n");
-  expect_at_the_end(run_in_terminal("view dumbbell.off -o dumbbell.html --min-prominence 100"),
-                    "1 constriction, 4 long, around 3 1.5 1.5\n1 of less prominence than 100 is not shown at first\n");
+  expect_at_the_end(
+      run_in_terminal("view dumbbell.off -o dumbbell.html --min-prominence 100"),
+      "1 constriction, 4 long, around 3 1.5 1.5\n1 of a smaller prominence than 100 is not shown at first\n");
 }
 
 TEST_F(Terminal, loops_that_are_no_constrictions_are_told)

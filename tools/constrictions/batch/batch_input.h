@@ -19,7 +19,7 @@ struct Slice
 /// - a mesh, if its extension is that of a mesh file (off, obj, ply or stl, in any case, also with .gz behind it);
 /// - a folder: the files in it that have such an extension, sorted by name;
 /// - else a list: a text file with a name on each line, or "-", the standard input. Lines without any character are
-///   passed over.
+///   skipped.
 ///
 /// Whether the meshes exist is not looked at. Throws `Input_file_error` for a folder or a list that cannot be read or
 /// has no meshes.

@@ -32,7 +32,7 @@ Batch_line begin_of_line(const std::string& file, const char* status)
   return line;
 }
 
-// What a process says that ends where memory is asked for and an exception cannot leave.
+// The last words of a process that ends where memory is allocated and an exception cannot leave.
 bool is_about_memory(const std::string& words)
 {
   for(const char* part : {"allocate memory", "bad_alloc"})
@@ -51,7 +51,7 @@ std::pair<const char*, std::string> reason_without_result(const Task_end& end, c
     return {"time", reason.str()};
   }
   if(end.signal == SIGKILL)
-    return {"memory", "the process was killed, as when the memory of the machine is used up"};
+    return {"memory", "the process was killed; the system does so when memory is used up"};
   if(is_about_memory(end.last_words))
     return {"memory", "not enough memory"};
   const std::string words = end.last_words.empty() ? "" : "; its last words: " + constrictions::quoted(end.last_words);

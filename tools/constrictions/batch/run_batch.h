@@ -10,8 +10,8 @@
 
 namespace constrictions {
 
-/// calls `detect` for each of the meshes that are asked for, each call in a process of its own, and writes a line for
-/// each as it ends: into the folder of the options, where meshes that have a line already are passed over, or to the
+/// calls `detect` for each of the given meshes, each call in a process of its own, and writes a line for
+/// each as it ends: into the folder of the options, where meshes that have a line already are skipped, or to the
 /// standard output. Whatever happens to a mesh is a line.
 ///
 /// After SIGINT, SIGTERM or SIGHUP the processes are ended, and then this one, by the same signal.

@@ -19,7 +19,7 @@
 
 namespace constrictions {
 
-/// the constrictions of the whole mesh, or those near the location asked for. `np` holds the policies of the
+/// the constrictions of the whole mesh, or those near the location that the user gave. `np` holds the policies of the
 /// simplification and the visitor. If `levels` is not null, and the whole mesh is searched, it gets the
 /// simplified surface with all its levels.
 template <class NamedParameters>

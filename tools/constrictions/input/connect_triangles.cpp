@@ -258,7 +258,7 @@ private:
          m_opposite[h + 1] / 3 != o / 3 || m_opposite[h + 2] / 3 != o / 3)
         continue;
       is_any = is_left_out[h / 3] = true;
-      tell_left_out(Finding::DEGENERATE_FACES, h / 3, " and the same one turned round are a body without inside");
+      tell_left_out(Finding::DEGENERATE_FACES, h / 3, " and the same face turned round enclose nothing");
     }
     if(is_any)
       remove_triangles(is_left_out);

@@ -184,13 +184,13 @@ private:
       if(std::is_permutation(own.begin(), own.end(), corners.begin()))
         return face;
     }
-    fail("\"triangle\" is no piece of face " + std::to_string(f));
+    fail("\"triangle\" is not a piece of face " + std::to_string(f));
   }
 
   Corners read_corners(const Json& location, std::uint64_t f) const
   {
     if(!location.contains("triangle"))
-      fail("face " + std::to_string(f) + " is no triangle, and \"triangle\" is missing");
+      fail("face " + std::to_string(f) + " is not a triangle, and \"triangle\" is missing");
     const Json& triangle = array(location, "triangle");
     if(triangle.size() != 3 ||
        !std::all_of(triangle.begin(), triangle.end(), [](const Json& x) { return x.is_number_unsigned(); }))
@@ -220,7 +220,7 @@ private:
     // one digit behind the point is enough
     const double sum_tolerance = 0.2;
     if(*std::min_element(b.begin(), b.end()) < -zero_tolerance || !(std::abs(b[0] + b[1] + b[2] - 1) < sum_tolerance))
-      fail("\"barycentric\" is no point of a face: a number is negative, or the sum is not 1");
+      fail("\"barycentric\" is not a point of a face: a number is negative, or the sum is not 1");
     if(m_numbering.is_piece_of_polygon(face))
     {
       const Corners given = read_corners(location, m_numbering.face_of(face)), own = corners_of(face);

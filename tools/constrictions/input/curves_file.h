@@ -21,9 +21,9 @@ struct Curves
 
 /// reads closed curves from the JSON object that `report_as_json()` writes. Of each member of "constrictions" it takes
 /// - "locations": a point each, the number of a face and barycentric coordinates in the order of its corners in the
-///   file of the mesh, or, for a face that is no triangle there, of the vertices in "triangle". One coordinate is zero,
-///   and the curve crosses the edge where it is, or two are, and the curve passes through a vertex. A coordinate is
-///   zero if it is exactly 0; if none is, the smallest, if it is below 1e-9.
+///   file of the mesh, or, for a face that is not a triangle there, of the vertices in "triangle". One coordinate is
+///   zero, and the curve crosses the edge where it is, or two are, and the curve passes through a vertex. A coordinate
+///   is zero if it is exactly 0; if none is, the smallest, if it is below 1e-9.
 /// - "pivots": the points that are vertices. A point at a vertex that is not among them is a crossing beside it, if
 ///   the face of the next point lies across an edge there. At a seam of doubled vertices any of them may be named;
 ///   copies of a vertex that was split are called as in the file. If the member is missing all points at vertices are

@@ -19,7 +19,7 @@ struct Crowded_edge
 /// joins the triangles at each crowded edge in pairs, so that no two edges have the same ends once each fan of
 /// triangles has a vertex of its own.
 ///
-/// Each edge takes the first of `ways_to_pair()` for which that holds. As what becomes of an edge depends on its
+/// Each edge takes the first of `ways_to_pair()` for which that holds. As the result for an edge depends on its
 /// neighbours, edges for which it does not hold take their next ways first, and go back to earlier ways later where
 /// they can. Where no way helps, the surface is cut open along other edges of one end, which always does.
 ///

@@ -18,7 +18,7 @@ struct Loops
 };
 
 /// reads closed loops, one a line: numbers of vertices of the file of `mesh`, counted from 0 and separated by blanks,
-/// the first not repeated. Empty lines and lines that start with # are passed over. Of the copies of a vertex that was
+/// the first not repeated. Empty lines and lines that start with # are skipped. Of the copies of a vertex that was
 /// split those are taken that edges join, if there are such.
 ///
 /// Throws `Input_file_error`, with the number of the line, for anything else. Whether the vertices are joined by edges

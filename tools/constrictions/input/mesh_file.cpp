@@ -4,7 +4,7 @@
 #include "input/find_border.h"
 #include "input/inflate.h"
 #include "input/input_file.h"
-#include "input/polygon_soup.h"
+#include "input/readers.h"
 #include "input/repair_soup.h"
 #include "input/text_scanner.h"
 

@@ -27,7 +27,7 @@ const Words& words_for(Finding finding)
        {"merged_vertices", "vertex", "vertices", "merged"},
        {"turned_faces", "face", "faces", "turned round"},
        {"split_edges", "edge with more than two faces", "edges with more than two faces", "split"},
-       {"cut_edges", "edge beside such a one", "edges beside such ones", "cut open"},
+       {"cut_edges", "edge beside a non-manifold one", "edges beside non-manifold ones", "cut open"},
        {"split_vertices", "vertex", "vertices", "added by splitting"},
        {"holes", "hole", "holes", ""},
        {"border_edges", "edge", "edges", ""},
@@ -92,7 +92,7 @@ void refuse_repairs(const Mesh_findings& findings)
     if(findings.count(finding) > 0)
       throw Invalid_input(defect, 0,
                           findings.places(finding).front() + " (" + std::to_string(findings.count(finding)) +
-                              " such; mended without --strict)");
+                              " such; repaired without --strict)");
   };
   refuse(Finding::TRIANGULATED, Input_defect::NOT_TRIANGULAR);
   refuse(Finding::DUPLICATE_FACES, Input_defect::NON_MANIFOLD_EDGE);

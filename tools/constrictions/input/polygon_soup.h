@@ -2,8 +2,6 @@
 #ifndef CONSTRICTIONS_POLYGON_SOUP_H
 #define CONSTRICTIONS_POLYGON_SOUP_H
 
-#include "input/input_file.h"
-
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 
@@ -11,7 +9,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace constrictions {
@@ -67,22 +64,6 @@ inline Index checked_index(std::size_t face, long long index, std::size_t number
                             std::to_string(index) + " of " + std::to_string(number_of_vertices));
   return static_cast<Index>(index);
 }
-
-/// \name Readers
-/// Each throws `Input_file_error` for a file that is not of its format and `Invalid_input` for faces of vertices that
-/// do not exist.
-/// @{
-Polygon_soup read_off(const Input_file& file);
-Polygon_soup read_obj(const Input_file& file);
-Polygon_soup read_ply(const Input_file& file);
-
-/// Corners with the same coordinates are one vertex; vertices are numbered as they appear.
-Polygon_soup read_ascii_stl(const Input_file& file);
-Polygon_soup read_binary_stl(const Input_file& file);
-/// @}
-
-/// whether an OFF file can begin with this word: "OFF", with prefixes, in any case
-bool is_off_keyword(std::string_view word);
 
 } // namespace constrictions
 

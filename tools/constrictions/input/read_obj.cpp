@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "input/polygon_soup.h"
+#include "input/readers.h"
 #include "input/text_scanner.h"
 
 #include <string>

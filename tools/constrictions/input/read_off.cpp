@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input/byte_reader.h"
-#include "input/polygon_soup.h"
+#include "input/readers.h"
 #include "input/text_scanner.h"
 
 #include <algorithm>
@@ -199,7 +199,7 @@ private:
       };
       const long long n = read_integer("a number of vertices");
       if(n < 1 && !in_lines)
-        m_scanner.fail("face " + std::to_string(f) + ": " + std::to_string(n) + " is no number of vertices");
+        m_scanner.fail("face " + std::to_string(f) + ": " + std::to_string(n) + " is not a number of vertices");
       for(long long i = 0; i < n; ++i)
         m_soup.corners.push_back(checked_index(f, read_integer("a vertex number"), m_nv));
       m_soup.end_face();

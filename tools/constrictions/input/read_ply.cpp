@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input/byte_reader.h"
-#include "input/polygon_soup.h"
+#include "input/readers.h"
 #include "input/text_scanner.h"
 
 #include <algorithm>
@@ -313,7 +313,7 @@ void read_faces(Body& body, const Element& element, std::size_t corners, std::si
 }
 
 // Of a strip each vertex from the third on makes a triangle with the two before it, in turn of one orientation and of
-// the other. -1 begins a new strip. Triangles with a vertex twice, with which strips are led on, are passed over.
+// the other. -1 begins a new strip. Triangles with a vertex twice, with which strips are led on, are skipped.
 void read_strips(Body& body, const Element& element, std::size_t corners, std::size_t number_of_vertices,
                  Polygon_soup& soup)
 {

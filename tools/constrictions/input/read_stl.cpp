@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input/byte_reader.h"
-#include "input/polygon_soup.h"
+#include "input/readers.h"
 #include "input/text_scanner.h"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ bool is_keyword(std::string_view word, std::string_view keyword)
 }
 
 // A statement a line, as the format says. Words behind those that it has, and lines with other keywords where a facet
-// could begin ("color"), are passed over; a file may end without "endsolid" where a facet has ended.
+// could begin ("color"), are skipped; a file may end without "endsolid" where a facet has ended.
 Polygon_soup read_lines(const Input_file& file)
 {
   const std::size_t bytes_per_face = 250; // about

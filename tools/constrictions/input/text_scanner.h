@@ -25,12 +25,12 @@ inline std::string lower_case(std::string_view text)
 }
 
 /// Reads words and numbers from a text of lines. A word never goes past the end of its line, nor into a comment. Lines
-/// end in "\n", "\r\n" or "\r". A comma behind a word is no part of it, and Ctrl-Z, with which old systems end a text,
+/// end in "\n", "\r\n" or "\r". A comma behind a word is not part of it, and Ctrl-Z, with which old systems end a text,
 /// is a blank.
 class Text_scanner
 {
 public:
-  /// begins at byte `offset` of the file. A line that starts with `comment` is passed over by `next_line()`.
+  /// begins at byte `offset` of the file. A line that starts with `comment` is skipped by `next_line()`.
   explicit Text_scanner(const Input_file& file, std::size_t offset = 0, char comment = '#')
     : m_file(&file), m_begin(file.content.data()), m_end(m_begin + file.content.size()), m_pos(m_begin + offset),
       m_comment(comment)
@@ -48,7 +48,7 @@ public:
     return result;
   }
 
-  /// goes to the first word at or after the present place that is no comment; false at the end of the file.
+  /// goes to the first word at or after the present place that is not a comment; false at the end of the file.
   bool next_line()
   {
     for(;;)

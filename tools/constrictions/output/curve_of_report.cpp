@@ -61,7 +61,7 @@ std::string verdict_on_curve(const Report& report, std::size_t id)
     return std::string("not_certified: held at point 0, where the side angle on the ") +
            (loop.left_angle <= loop.right_angle ? "left" : "right") + " is less than pi";
   if(loop.pivots.empty() || loop.pivots.front().location != 0)
-    return "not_certified: held at point 0, which is no vertex";
+    return "not_certified: held at point 0, which is not a vertex";
   return certificate_as_text(report.constrictions[id].certificate());
 }
 

@@ -23,10 +23,10 @@ std::vector<bool> pivots_of_curve(const Report& report, std::size_t id);
 /// the verdict on the curve: that of its certificate, or of a loop that is held at a place, and no constriction, that
 std::string verdict_on_curve(const Report& report, std::size_t id);
 
-/// what becomes of a loop that is held at a place when it is let go: constriction, point, not_simple or not_certified
+/// the end of a loop that is held at a place when it is let go: constriction, point, not_simple or not_certified
 const char* end_name(const Geodesic_loop& loop);
 
-/// how a loop is held, and what becomes of it, in one line
+/// how a loop is held, and its end when it is let go, in one line
 std::string loop_as_text(const Report& report, std::size_t id);
 
 } // namespace constrictions

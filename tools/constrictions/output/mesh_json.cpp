@@ -66,9 +66,10 @@ const char* origin_name(CGAL::Surface_mesh_constrictions::Seed_origin origin)
     return "barrier";
   case Seed_origin::BOUNDARY:
     return "boundary";
-  default:
-    return "user";
+  case Seed_origin::USER:
+    break;
   }
+  return "user";
 }
 
 } // namespace constrictions

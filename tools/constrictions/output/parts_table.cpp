@@ -26,7 +26,7 @@ std::string parts_as_table(const Parts& parts)
       out << "part " << p << ": a cap cuts it\n";
     if(parts.parts[p].is_cavity)
       out << "part " << p
-          << " is a cavity: it encloses what is outside of the solid, so its volume has the other sign\n";
+          << " is a cavity: it encloses a region outside of the solid, so its volume has the opposite sign\n";
   }
   for(std::size_t c = 0; c < parts.outcomes.size(); ++c)
     if(parts.outcomes[c].crossed_curve != CGAL::Surface_mesh_constrictions::Cut_outcome::none)

@@ -35,13 +35,13 @@ struct Report
   std::string mesh_file;
   Mesh mesh;
   File_record file; ///< how elements of the mesh are called in its file, and what was repaired
-  /// or, of `girth`, the loops, which are no constrictions: without locations, which are those of `loops`
+  /// or, of `girth`, the loops, which are not constrictions; they have no locations, which are in `loops`
   std::vector<Constriction> constrictions;
   std::vector<Geodesic_loop> loops; ///< of `girth`, one for each of the above; else empty
   bool is_girth = false;
   CGAL::Surface_mesh_constrictions::Detection_statistics statistics;
   Stage_seconds seconds;
-  std::vector<std::string> remarks; ///< lines about loops of the user that are no constrictions
+  std::vector<std::string> remarks; ///< lines about loops of the user that did not become constrictions
   std::string hint;                 ///< a sentence that says how more is found, if nothing was; may be empty
 };
 

@@ -99,7 +99,7 @@ Json signs_as_json(const SMC::Sign_statistics& signs)
           {"unproved", signs.unproved}};
 }
 
-// Where a loop of `girth` is held, and what becomes of it when it is let go.
+// Where a loop of `girth` is held, and its end when it is let go.
 Json held_as_json(const Geodesic_loop& loop, const File_numbering& numbering)
 {
   const bool is_vertex = !loop.pivots.empty() && loop.pivots.front().location == 0;

@@ -4,13 +4,13 @@
 #include "output/curve_of_report.h"
 #include "output/mesh_json.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace constrictions {
 
@@ -25,7 +25,7 @@ const char* name(const CGAL::Surface_mesh_constrictions::Certificate& certificat
                                                                          : "open";
 }
 
-// Why curves have no certificate that was asked for, a line for each.
+// Why curves are not certified, a line for each.
 std::string open_certificates(const Report& report)
 {
   using CGAL::Surface_mesh_constrictions::Certificate_verdict;
@@ -46,10 +46,10 @@ std::string rounded(double x)
   return out.str();
 }
 
-std::string short_number(double x)
+std::string with_digits(int digits, double x)
 {
   std::ostringstream out;
-  out << std::setprecision(4) << x;
+  out << std::setprecision(digits) << x;
   return out.str();
 }
 
@@ -64,37 +64,63 @@ std::string as_text(const std::array<double, 3>& point)
 // Loops that were tightened have none.
 std::string prominence(const Constriction& c) { return std::isnan(c.prominence()) ? "-" : rounded(c.prominence()); }
 
+// A column of the table, with what it says about one curve.
+struct Column
+{
+  std::string heading;
+  std::size_t width;
+  std::string text;
+};
+
+// The columns without `is_verbose` are as wide as a terminal together: a further one belongs to those with it.
+std::vector<Column> columns(const Report& report, std::size_t id, bool is_verbose)
+{
+  const Constriction& c = report.constrictions[id];
+  const bool is_held = report.is_girth && !c.certificate().is_certified();
+  std::vector<Column> result = {{"id", 3, std::to_string(id)},
+                                {"length", 12, with_digits(6, c.length())},
+                                {"diameter", 10, with_digits(4, c.diameter())},
+                                {"prominence", 11, prominence(c)},
+                                {"roundness", 10, rounded(c.roundness())},
+                                {"separating", 11,
+                                 c.is_rim()          ? "rim"
+                                 : c.is_separating() ? "yes"
+                                                     : "no"},
+                                {"certificate", 12, is_held ? "held" : name(c.certificate())},
+                                {"side", 11, side_name(c.side())}};
+  if(is_verbose)
+  {
+    result.push_back({"pivots", 7, std::to_string(c.pivots().size())});
+    result.push_back({"seed level", 11, std::to_string(c.seeds().front().level)});
+    result.push_back({"  centroid", 0, "  " + as_text(c.centroid())}); // it begins at one place, not ends
+  }
+  return result;
+}
+
+// Each text ends where its column does. What is too long for a column takes blanks from the next one.
+std::string table_line(const std::vector<Column>& columns, std::string Column::*text)
+{
+  std::string line;
+  std::size_t end = 0;
+  for(const Column& column : columns)
+  {
+    end += column.width;
+    const std::size_t length = line.size() + (column.*text).size();
+    line.append(length < end ? end - length : 0, ' ');
+    line += column.*text;
+  }
+  return line + '\n';
+}
+
 } // namespace
 
 std::string report_as_table(const Report& report, bool is_verbose)
 {
-  using std::setw;
-
   std::ostringstream out;
-  if(!report.constrictions.empty())
-  {
-    out << setw(3) << "id" << setw(12) << "length" << setw(10) << "diameter" << setw(11) << "prominence" << setw(10)
-        << "roundness" << setw(11) << "separating" << setw(12) << "certificate" << setw(11) << "side";
-    if(is_verbose)
-      out << setw(7) << "pivots" << setw(11) << "seed level"
-          << "  centroid";
-    out << '\n';
-  }
   for(std::size_t id = 0; id < report.constrictions.size(); ++id)
   {
-    const Constriction& c = report.constrictions[id];
-    const std::string number = std::to_string(id);
-    const int width = (std::max)(3, static_cast<int>(number.size()));
-    out << setw(width) << number << setw(15 - width) << c.length() << setw(10) << short_number(c.diameter()) << setw(11)
-        << prominence(c) << setw(10) << rounded(c.roundness()) << setw(11)
-        << (c.is_rim()          ? "rim"
-            : c.is_separating() ? "yes"
-                                : "no")
-        << setw(12) << (report.is_girth && !c.certificate().is_certified() ? "held" : name(c.certificate())) << setw(11)
-        << side_name(c.side());
-    if(is_verbose)
-      out << setw(7) << c.pivots().size() << setw(11) << c.seeds().front().level << "  " << as_text(c.centroid());
-    out << '\n';
+    const std::vector<Column> line = columns(report, id, is_verbose);
+    out << (id == 0 ? table_line(line, &Column::heading) : "") << table_line(line, &Column::text);
   }
   out << open_certificates(report);
   for(const std::string& remark : report.remarks)

@@ -12,8 +12,8 @@
 
 namespace constrictions {
 
-/// The prominence of the weakest curves in a page, unless weaker ones are asked for: the page has a slider that shows
-/// them.
+/// The prominence of the weakest curves in a page, unless the options allow weaker ones: the page has a slider that
+/// shows them.
 constexpr double least_prominence_in_page = 0.01;
 
 /// a page that shows the mesh, its parts, its constrictions, and how they were found.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be asked for in the address of the page, after a #, for example
+// The address of the page can say what it shows, after a #, for example
 //   mesh.html#view=1,0,0.5&up=0,0,1&select=3&theme=dark
 //
 // view, up      the direction that the camera looks from, and what is above

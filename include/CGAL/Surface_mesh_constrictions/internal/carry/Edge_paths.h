@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Closed paths of edges of the current surface that are carried over vertex splits as such: where the vertex that is
-// split was, a path passes through the one of the two new vertices, or through both, that is shorter. Nothing else
-// moves, so a path stays where it was put, as a straightened curve would not.
+// Closed paths of edges of the current surface that are carried over vertex splits as paths of edges. Where the split
+// vertex was, a path passes through one of the two new vertices, or through both, whichever is shortest. Nothing else
+// moves, so a path stays where it was put, which a straightened curve would not.
 class Edge_paths
 {
 public:

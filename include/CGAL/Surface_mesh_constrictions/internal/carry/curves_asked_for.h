@@ -41,12 +41,12 @@ inline double length_of_path(const Progressive_mesh& pm, const std::vector<Index
   return sum;
 }
 
-// A closed path of edges zigzags, and lies aslant: it is no more than this many times as long as what it is tightened
-// to, but for few.
+// A closed path of edges zigzags, and lies aslant. But for a few, a path is at most this many times as long as the
+// curve that it is tightened to.
 constexpr double slack_of_paths = 2.5;
 
-// Of closed paths of edges, of which path_of(i) gives number i as a vector of vertices, those that may be tightened to
-// a curve of no greater isoperimetric ratio, as far as their own ratios tell. Ascending. Linear in the paths.
+// Selects closed paths of edges that may be tightened to a curve of no greater isoperimetric ratio, as far as their own
+// ratios tell. path_of(i) is number i as a vector of vertices. Ascending. Linear in the paths.
 template <class ConcurrencyTag, class PathOf>
 std::vector<std::size_t> paths_asked_for(std::size_t number_of_paths, const PathOf& path_of, const Progressive_mesh& pm,
                                          const Surface_sides& sides, double maximum_isoperimetric_ratio)
@@ -67,15 +67,15 @@ std::vector<std::size_t> paths_asked_for(std::size_t number_of_paths, const Path
   return result;
 }
 
-// A curve that a coarse level holds, by however little, a finer one may hold firmly. If its prominence is less than
-// this, the coarse level does not hold it.
+// A curve that a coarse level hardly holds may be held firmly by a finer one. If its prominence is less than this, the
+// coarse level does not hold it.
 constexpr double least_coarse_prominence = 1e-4;
 
-// Adds simple closed geodesics with these traces, curves of a network, to `result`, if they are no less prominent and a
-// `Crossing_filter` lets them pass, if curves are not to cross. What a less prominent one slides to stands for it, and
-// is taken to the network if it is not there: add_seed(path) enters a closed path of edges that shortens to it, and
-// returns the number of that seed. If this level holds it at all, it is added itself, too, but does not count as one
-// that others cross. Cost: that of `Barrier_search::search()` for each.
+// Adds those simple closed geodesics to `result`, curves of a network with these traces, that have at least the given
+// prominence and, unless `with_crossing`, pass a `Crossing_filter`. The curve that a less prominent one slides to
+// stands for it, and is added to the network if it is not there: add_seed(path) enters a closed path of edges that
+// shortens to it, and returns the number of that seed. If this level holds the less prominent curve at all, it is added
+// itself, too, but does not count as a curve that others cross. Cost: that of `Barrier_search::search()` for each.
 template <class AddSeed>
 void add_prominent_curves(Curve_network& network, std::vector<Index> curves,
                           std::vector<std::vector<Trace_point>> traces, const Surface_sides& sides,
@@ -137,10 +137,10 @@ void add_prominent_curves(Curve_network& network, std::vector<Index> curves,
   }
 }
 
-// Of the closed geodesics of a level the ones that may be asked for, as far as this level tells: those of no greater
-// isoperimetric ratio and no less prominence, which do not cross others if these are not to. Curves that are not simple
-// here may be on a finer level. Curves may be added, see `add_prominent_curves()`. Ascending. Cost: that of the areas
-// and prominences.
+// The closed geodesics of a level that may be selected, as far as this level tells: those of at most this isoperimetric
+// ratio and at least this prominence, and, unless `with_crossing`, only those that pass a `Crossing_filter`. Curves
+// that are not simple here may be simple on a finer level, and are kept. Curves may be added, see
+// `add_prominent_curves()`. Ascending. Cost: that of the areas and prominences.
 template <class ConcurrencyTag, class AddSeed>
 std::vector<Index> curves_asked_for(Curve_network& network, const Surface_sides& sides,
                                     double maximum_isoperimetric_ratio, double minimum_prominence, bool with_crossing,
@@ -155,8 +155,7 @@ std::vector<Index> curves_asked_for(Curve_network& network, const Surface_sides&
   if(any_ratio && minimum_prominence <= 0)
     return all;
 
-  // The curves of a group that are asked for if they are simple ones with enough prominence, and of the simple ones the
-  // traces.
+  // The curves of a group that may be selected, and the traces of the simple ones among them.
   struct Candidates
   {
     std::vector<Index> simple, not_simple;

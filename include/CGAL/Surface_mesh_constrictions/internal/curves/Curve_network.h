@@ -18,7 +18,7 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Closed curves on the current surface of a progressive mesh: each a cyclic list of arcs from pivot to pivot. Arcs have
-// ids; an id is used again after its arc is gone. With an index from faces to the arcs in them, if asked for.
+// ids; an id is used again after its arc is gone. Optionally with an index from faces to the arcs in them.
 class Curve_network
 {
 public:
@@ -50,7 +50,7 @@ public:
 
   const Node& node(Index id) const { return m_nodes[id]; }
 
-  // Tells whether an id still means the same arc, to whoever keeps a queue of arcs; renewed on demand.
+  // Tells a queue of arcs whether an id still means the same arc; renewed on demand.
   Index stamp(Index id) const { return m_nodes[id].stamp; }
   Index renew_stamp(Index id) { return ++m_nodes[id].stamp; }
 

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// How a simple closed curve parts its connected component, the holes of which are filled.
+// How a simple closed curve divides its connected component, with the holes filled.
 struct Parting
 {
   std::vector<Index> homology_class; // modulo 2, see `Surface_cycles`; the curve separates if it is empty
@@ -36,8 +36,8 @@ inline double isoperimetric_ratio(double length, const std::array<double, 2>& ar
   return length * length / (4 * CGAL_PI * (std::min)(areas[0], areas[1]));
 }
 
-// The holes count as filled, so that the end of a limb says the same whether it is open or closed; but where there is
-// nothing else on one side there is nothing that the curve could part from the rest.
+// The holes count as filled, so that a limb has the same ratio whether its end is open or closed. But if there is
+// nothing except a hole on one side, the curve cuts nothing off, and the ratio is infinite.
 inline double isoperimetric_ratio(double length, const Parting& parting)
 {
   std::array<double, 2> areas = parting.areas;
@@ -56,7 +56,7 @@ inline bool is_too_long(double length, const Parting& parting, double maximum_is
 // A curve along the boundary can leave nothing on one side, and sums of areas have an error of less than this share.
 constexpr double empty_side_tolerance = 1e-9;
 
-// Answers what lies on the sides of simple closed curves of a surface.
+// Tells the areas, genera and homology classes on the sides of simple closed curves of a surface.
 class Surface_sides
 {
 public:
@@ -72,7 +72,7 @@ public:
       }
   }
 
-  // The curve is moved to its left, to the next vertices, and what lies between is measured. O(n + (n + g) log n) for n
+  // The curve is moved to its left, to the next vertices, and the area between is measured. O(n + (n + g) log n) for n
   // points and genus g.
   Parting part(const std::vector<Trace_point>& trace) const
   {
@@ -110,9 +110,9 @@ public:
     return result;
   }
 
-  // The area that a simple closed curve must sweep at least to become another one of its class. Where they cross, that
-  // is the area of all that lies between them. Both are moved to the next vertices, to the left and to the right, and
-  // the mean is taken. O(k log k) for k points.
+  // The least area that a simple closed curve must sweep to become another one of its class: the area between the two,
+  // also where they cross. Both are moved to the next vertices, to the left and to the right, and the mean is taken.
+  // O(k log k) for k points.
   double area_between(const std::vector<Trace_point>& trace, const std::vector<Trace_point>& other) const
   {
     double sum = 0;
@@ -133,9 +133,9 @@ public:
     return {{genus, genus}};
   }
 
-  // Which side of the surface a geodesic chokes: where its curvature vector points into the solid, the object. What
-  // three quarters of its turning or more say, decides. The length of the curve would be a bad weight: where it crosses
-  // almost flat edges, noise alone decides to which side it bends. Linear.
+  // Which side of the surface a geodesic chokes: where its curvature vector points into the solid, the object. At least
+  // three quarters of its turning must point to one side. The length of the curve would be a bad weight: where it
+  // crosses almost flat edges, noise alone decides to which side it bends. Linear.
   Side choked_side(const std::vector<Trace_point>& trace) const
   {
     const double outward = m_volume[m_cycles.component(some_face(trace))] >= 0 ? 1 : -1; // the sign of the normals

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// What a closed curve is in space, whatever surface it lies on.
+// Measures of a closed curve in space, which do not depend on the surface that it lies on.
 struct Curve_measures
 {
   double roundness; // 4 pi A / length^2, with A the length of its area vector

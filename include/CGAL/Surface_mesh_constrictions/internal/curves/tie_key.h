@@ -15,9 +15,9 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Of curves of equal length the one with the least key stands for all: the one with the least pivot, and of those with
-// the same the one with the least sum of numbers drawn by lot for its pivots and for the edges that it crosses. Where a
-// curve may pass many vertices on either side, at equal lengths, each choice changes the sum by itself: the least one
-// can be reached by choices each of which makes it less. Linear.
+// the same the one with the least sum of pseudorandom numbers of its pivots and of the edges that it crosses. Where a
+// curve may pass many vertices on either side, at equal lengths, each choice changes the sum independently; so the
+// least sum can be reached by steps each of which makes it smaller. Linear.
 inline std::pair<Index, std::uint64_t> tie_key(const Curve_network& network, Index curve)
 {
   const Progressive_mesh& pm = network.surface();

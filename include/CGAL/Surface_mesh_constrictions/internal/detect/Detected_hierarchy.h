@@ -35,9 +35,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The hierarchy of the curves that a detection has found. Whatever one of them slides to is found, too: it joins them,
-// and is measured in turn, until there is nothing new. Curves are known by numbers of seeds, which stay when curves are
-// merged.
+// The hierarchy of the curves that a detection has found. A curve that one of them slides to joins them, if it is not
+// among them, and is measured in turn, until there is nothing new. Curves are known by numbers of seeds, which stay the
+// same when curves are merged.
 class Detected_hierarchy
 {
 public:
@@ -48,9 +48,9 @@ public:
   {}
 
   // Measures the curves that have been found, and adds those that they slide to: to `found`, sorted by length and each
-  // once, and their seeds to `refined` and `seeds`. A curve on the way that hardly holds itself is passed by.
-  // certify(found) certifies new curves, and drops those that are no constrictions. Returns the number of seeds of
-  // curves passed by. Cost: that of `Barrier_search::search()` for each curve.
+  // once, and their seeds to `refined` and `seeds`. A curve on the way that hardly holds itself is skipped.
+  // certify(found) certifies new curves, and drops those that are not constrictions. Returns the number of seeds of
+  // skipped curves. Cost: that of `Barrier_search::search()` for each curve.
   template <class ConcurrencyTag, class Certify>
   std::size_t close(std::vector<Found_curve>& found, std::vector<Refined_curve>& refined,
                     std::vector<Seed_curve>& seeds, const Certify& certify)
@@ -133,9 +133,9 @@ private:
     return sum;
   }
 
-  // Curves passed by may slide to each other: of twins that correction has made one, or has made of another length,
-  // each may stand for the other. Then the first one in a ring is measured again, without ties: it joins `added`. If it
-  // was so measured, it is where the ways along the ring end.
+  // Skipped curves may slide to each other: if correction has made twins one curve, or has changed the length of one,
+  // each may stand for the other. Then the first one in a ring joins `added`, to be measured again, without ties. If it
+  // was already measured without ties, the ways along the ring end at it.
   void break_rings(const std::vector<Found_curve>& found, std::vector<Found_curve>& added)
   {
     const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
@@ -172,10 +172,10 @@ private:
     }
   }
 
-  // What a curve slides to may have been corrected to the curve itself, or to one of the same length that does not
-  // stand for it. Of two curves of the same length either slides to the other over the same barrier, so that of all
-  // that hang together so the first one takes the others. If it has no other end than one of them, or if there are
-  // none, it is measured again, once, without ties.
+  // The curve that a curve slides to may have been corrected to the curve itself, or to one of the same length that
+  // does not stand for it. Two curves of the same length slide to each other over the same barrier; so of all curves
+  // that are connected in this way the first one takes the others. If its only end is one of them, or if it has none,
+  // it is measured again, once, without ties.
   void mend_wrong_ends(const std::vector<Found_curve>& found)
   {
     const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
@@ -232,8 +232,8 @@ private:
     }
   }
 
-  // Curves that are one on the level on which they were measured have all been given the prominence of their place. The
-  // first of them keeps it; what parts the others from it is too fine for that level, and is looked for on the input.
+  // Curves that become one on the level on which they are measured all get the prominence of that curve. The first of
+  // them keeps it. The barriers between it and the others are too fine for the level, and are searched on the input.
   void part_places(const std::vector<Found_curve>& found)
   {
     const std::vector<std::size_t> rank = ranks(found);
@@ -267,9 +267,9 @@ private:
     return result;
   }
 
-  // The places of curves in the order of length; of those of the same length the one that stands for all comes first.
-  // What dominates a curve comes before it, so that each way along what dominates has an end. Curves found, sorted by
-  // length.
+  // The places of curves, which are sorted by length, in an order in which of those of the same length the one that
+  // stands for all comes first. A dominating curve comes before the dominated one, so that every way along dominating
+  // curves ends.
   std::vector<std::size_t> ranks(const std::vector<Found_curve>& found) const
   {
     std::vector<std::size_t> order(found.size()), result(found.size());
@@ -291,7 +291,7 @@ private:
     return result;
   }
 
-  // Where the way from a curve on leads: to the first curve on it that has been found, by a seed of that.
+  // The end of the way from a curve on: a seed of the first found curve on it.
   std::size_t destination(const Entry& from, const std::unordered_map<std::size_t, std::size_t>& found) const
   {
     const Entry* e = &from;
@@ -335,7 +335,7 @@ private:
         distinct.insert(f.curve);
     for(Index c : asked)
       distinct.insert(c);
-    // what is not found gives way to an equal curve that is
+    // a curve that is not among those found gives way to an equal one that is
     for(Index c : m_passed)
       if(!m_network.is_empty(c))
         distinct.insert(c);

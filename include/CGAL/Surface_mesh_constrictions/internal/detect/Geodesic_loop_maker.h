@@ -43,7 +43,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Translates geodesic loops to the user's mesh, and finds what they become when they are let go.
+// Translates geodesic loops to the user's mesh, and finds the curves that they become when they are let go.
 template <class TriangleMesh, class VertexPointMap>
 class Geodesic_loop_maker
 {
@@ -153,7 +153,7 @@ private:
     m_network.remove(c);
   }
 
-  // A location at the source of a halfedge out of a vertex, in a face that is no ghost.
+  // A location at the source of a halfedge out of a vertex, in a face that is not a ghost.
   Face_location corner(Index h) const
   {
     while(m_pm.is_ghost_face(m_pm.face(h)))

@@ -33,7 +33,7 @@ class Query_location
   typedef Simple_cartesian<double>::Point_3 Point;
 
 public:
-  // Throws Invalid_input for a point with a coordinate that is no finite number. Linear in the number of vertices.
+  // Throws Invalid_input for a point with a coordinate that is not a finite number. Linear in the number of vertices.
   template <class GivenPoint>
   Query_location(const TriangleMesh& tm, VertexPointMap vpm, const GivenPoint& point) : m_tm(tm), m_vpm(vpm)
   {

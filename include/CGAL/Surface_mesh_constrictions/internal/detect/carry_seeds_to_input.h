@@ -26,16 +26,16 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// A coarse level tells only roughly what will be selected: there, prominences and isoperimetric ratios may miss what is
-// asked for by these factors.
+// A coarse level tells only roughly which curves will be selected: there, prominences and isoperimetric ratios may miss
+// the thresholds by these factors.
 constexpr double coarse_prominence_factor = 0.5;
 constexpr double coarse_isoperimetric_factor = 1.2;
 
 // How many seeds are kept of those that become equal there, if constrictions of the default prominence are selected.
-// More lead to more constrictions that hardly differ, and one of those is selected.
+// More seeds would lead to more constrictions that hardly differ, of which one is selected.
 constexpr std::size_t kept_for_selection = 4;
 
-// What the selection that the named parameters ask for makes worth carrying.
+// Parameters that carry the seeds which may lead to curves that the named parameters select.
 template <class NamedParameters>
 Carrying_parameters carrying_parameters(const NamedParameters& np)
 {
@@ -73,7 +73,7 @@ struct Refinement_progress : public Refinement_visitor_base
   }
 };
 
-// Seeds, and what they have become on T^0. The refined curves know their seeds by number.
+// Seeds, and the curves that they have become on T^0. The refined curves know their seeds by number.
 struct Seeds_on_input
 {
   std::vector<Seed_curve> seeds;

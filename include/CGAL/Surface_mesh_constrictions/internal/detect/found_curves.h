@@ -42,7 +42,7 @@ struct Found_curve
   Certificate certificate;
 };
 
-// What a refined curve is tightened to.
+// The result of tightening a refined curve.
 struct Settled_curve
 {
   Tightening_verdict verdict;
@@ -50,15 +50,15 @@ struct Settled_curve
   double band_width;
 };
 
-// Of a group of curves: what they are tightened to, and how often one slipped out of a flat band.
+// The results of tightening a group of curves, and how often one of them slipped out of a flat band.
 struct Settled_curves
 {
   std::vector<Settled_curve> curves;
   std::size_t leaks = 0;
 };
 
-// Tightens refined curves on the surface of a network, and writes what is left of them into it, each once. Curves that
-// cross or touch themselves are among them if `with_not_simple`. Calls on_step() with the number of curves done.
+// Tightens refined curves on the surface of a network, and writes the closed geodesics into it, each once. Those that
+// cross or touch themselves are included if `with_not_simple`. Calls on_step() with the number of curves done.
 template <class ConcurrencyTag, class Progress>
 std::vector<Found_curve> tighten_refined(Curve_network& network, const std::vector<Refined_curve>& refined,
                                          bool with_not_simple, Detection_statistics& statistics,
@@ -121,9 +121,9 @@ std::vector<Found_curve> tighten_refined(Curve_network& network, const std::vect
   return found;
 }
 
-// Drops the curves that separate and have a greater isoperimetric ratio, so that they need not be certified. Those that
-// are not simple stay: they may be corrected; and rims if they are asked for. Returns how many were dropped. Cost: for
-// each curve that of `Surface_sides::part()`.
+// Drops the curves that separate and have a greater isoperimetric ratio, so that they need not be certified. Curves
+// that are not simple stay, since they may be corrected, and rims stay if `with_rims` is set. Returns how many were
+// dropped. Cost: for each curve that of `Surface_sides::part()`.
 template <class ConcurrencyTag>
 std::size_t drop_too_long(const Curve_network& network, const Surface_sides& sides, double maximum_isoperimetric_ratio,
                           bool with_rims, std::vector<Found_curve>& found)
@@ -199,7 +199,7 @@ inline void merge_coinciding(Curve_network& network, std::vector<Found_curve>& f
     found.push_back(candidates[i].found);
 }
 
-// Of a group of curves: their certificates, what they are corrected to, and how many were corrected.
+// The certificates of a group of curves, the corrected curves, and how many were corrected.
 struct Certified_curves
 {
   std::vector<Certificate> certificates;
@@ -207,9 +207,9 @@ struct Certified_curves
   std::size_t corrections = 0;
 };
 
-// Whether nothing is proved against a curve that has no certificate: a sign stayed open, be it one that the certificate
-// rests on, or one that was needed to go on where an angle is too small by less than rounding sees. Up to rounding it
-// is a simple closed geodesic.
+// Whether nothing is proved against a curve that is not certified, because a sign stayed open: either one on which the
+// certificate rests, or one that the correction needed at an angle that is too small by less than a rounding error. Up
+// to rounding the curve is a simple closed geodesic.
 inline bool remains_open(const Progressive_mesh& pm, const std::vector<Arc>& arcs, Certificate_verdict verdict)
 {
   if(arcs.empty() || (verdict != Certificate_verdict::TIE_NOT_PROVED && verdict != Certificate_verdict::NOT_STRAIGHT &&
@@ -221,9 +221,9 @@ inline bool remains_open(const Progressive_mesh& pm, const std::vector<Arc>& arc
   return is_simple(pm, trace(pm, arcs));
 }
 
-// Certifies curves, drops those that are proved to be no constrictions, and merges those that have become the same.
-// What remains open stays if `keeps_open`, with a certificate that says why. make_settler() makes an Exact_settler.
-// Calls on_step() with the number of curves done.
+// Certifies curves, drops those that are proved not to be constrictions, and merges those that have become the same. A
+// curve of which a sign stays open is kept if `keeps_open`, with a certificate that says why. make_settler() makes an
+// Exact_settler. Calls on_step() with the number of curves done.
 template <class ConcurrencyTag, class MakeSettler, class Progress>
 void certify_found(Curve_network& network, const MakeSettler& make_settler, const Coordinate_unit& unit,
                    bool keeps_open, const std::vector<Refined_curve>& refined, std::vector<Found_curve>& found,

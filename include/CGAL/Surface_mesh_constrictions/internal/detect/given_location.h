@@ -30,8 +30,8 @@ inline void check_finite(double x, const std::string& name)
                         "non-finite coordinate: the location has " + name + " = " + std::to_string(x));
 }
 
-// A location of the user's as one of the mesh that was taken over: a vertex, a location in a face, or of a point in
-// space the nearest one. Throws Invalid_input for one that is not on the mesh. Linear.
+// A location of the user as one of the imported mesh: a vertex, a location in a face, or the location nearest to a
+// point in space. Throws Invalid_input for one that is not on the mesh. Linear.
 template <class TriangleMesh, class VertexIndexMap, class Location>
 Surface_location given_location(const Imported_mesh<TriangleMesh>& imported, VertexIndexMap vim,
                                 const Location& location)
@@ -51,7 +51,7 @@ Surface_location given_location(const Imported_mesh<TriangleMesh>& imported, Ver
       return result;
     }
     throw Invalid_input(Input_defect::INVALID_LOCATION, 0,
-                        "invalid location: it is a vertex that is isolated or not one of the mesh");
+                        "invalid location: the vertex is isolated, or not one of the mesh");
   }
   else if constexpr(std::is_convertible_v<Location, typename Constriction<TriangleMesh>::Face_location>)
   {

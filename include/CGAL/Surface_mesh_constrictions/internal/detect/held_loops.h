@@ -26,16 +26,17 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// As many loops of edges are tightened at most. Most of them soon become what another one was.
+// The greatest number of loops of edges that are tightened. Most of them soon meet the way of another one.
 constexpr std::size_t max_held_seeds = 4096;
 
 // Loops of edges are looked for on a surface with no fewer vertices than this.
 constexpr std::size_t least_held_vertices = 4096;
 
-// A closed curve through vertices some of which have been put into the faces and edges of a coarser surface, as arcs of
-// that surface: the curve is led past each vertex that is not kept, on the side of the smaller angle, and pulled
-// straight between those that are. It is no longer but for rounding. No arcs if it is a point. old_of(h) is the
-// halfedge that h is a piece of, or null_index if it lies in a face. Linear in the strips of the curve.
+// Translates a closed curve to a coarser surface, into whose faces and edges some of its vertices have been put: the
+// result has arcs of that surface. The curve is led past each vertex that the coarser surface does not have, on the
+// side of the smaller angle, and pulled straight between the others. Up to rounding it gets no longer. No arcs if it is
+// a point. old_of(h) is the halfedge that h is a piece of, or null_index if h lies in a face. Linear in the strips of
+// the curve.
 template <class OldOf, class IsKept>
 std::vector<Arc> arcs_without_vertices(const Progressive_mesh& fine, std::vector<Arc> loop, const OldOf& old_of,
                                        const IsKept& is_kept, const Progressive_mesh& coarse)
@@ -85,7 +86,7 @@ std::vector<Arc> arcs_without_vertices(const Progressive_mesh& fine, std::vector
   return arcs;
 }
 
-// Tightens closed curves that are held at a vertex, and keeps each that they end as once.
+// Tightens closed curves that are held at a vertex, and keeps each result once.
 class Held_curves
 {
 public:
@@ -96,7 +97,7 @@ public:
     m_tightener.hold(vertex);
   }
 
-  // Cost: that of tightening it until it is what another one was on its way.
+  // Cost: that of tightening it until it meets the way of another one.
   void insert(const std::vector<Index>& path) { insert(m_network.add_curve(0, path)); }
   void insert(std::vector<Arc> arcs)
   {
@@ -106,7 +107,7 @@ public:
       insert(c);
   }
 
-  // What did not shrink to the vertex, in the order in which it came. Each starts at the vertex.
+  // The curves that did not shrink to the vertex, in the order in which they were found. Each starts at the vertex.
   const std::vector<std::vector<Arc>>& ends() const { return m_ends; }
 
 private:
@@ -130,9 +131,9 @@ private:
   std::vector<std::vector<Arc>> m_ends;
 };
 
-// The simple geodesic loops at a vertex that loops of edges at it are tightened to while they are held there, each
-// once, the shortest first: those with no smaller angle at the vertex than this. Each starts at the vertex.
-// Cost: O(n log n) for the loops of edges, plus that of tightening each until it is what another one was on its way.
+// The simple geodesic loops at a vertex that result from loops of edges, tightened while they are held at the vertex.
+// Only those with at least the given angle at the vertex, each once, the shortest first. Each starts at the vertex.
+// Cost: O(n log n) for the loops of edges, plus that of tightening each until it meets the way of another one.
 inline std::vector<std::vector<Arc>> held_loops(const Progressive_mesh& pm, Index vertex, double minimum_angle)
 {
   Held_curves curves(pm, vertex);

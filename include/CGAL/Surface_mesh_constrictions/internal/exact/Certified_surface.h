@@ -22,13 +22,13 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// What the exact arithmetic sees of a surface: connectivity, and the points as exact numbers. Two models.
+// Surfaces for the exact arithmetic: connectivity, and the points as exact numbers. There are two models.
 
 typedef std::array<Interval_nt<false>, 3> Interval_point;
 typedef std::array<Rational, 3> Rational_point;
 
-// Called while rounding is upward; what number types other than the built-in ones compute relies on rounding to the
-// nearest.
+// Called while rounding is upward. Number types other than the built-in ones rely on rounding to the nearest, so it is
+// restored while they compute.
 template <class Point>
 Interval_point interval_point(const Point& p)
 {
@@ -127,7 +127,7 @@ public:
     const Halfedge result = next(next(h));
     if(next(result) != h)
       throw Invalid_input(Input_defect::NOT_TRIANGULAR, 0,
-                          "not a triangle mesh: a face at the edge " + place(h) + " has not three vertices");
+                          "not a triangle mesh: a face at the edge " + place(h) + " does not have three vertices");
     return result;
   }
 

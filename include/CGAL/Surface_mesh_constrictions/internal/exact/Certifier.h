@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// What is known of an arc, and of the pivot where it starts.
+// The signs that are known of an arc, and of the pivot where it starts.
 struct Known_of_arc
 {
   bool is_straight = false;
@@ -34,7 +34,7 @@ struct Known_of_arc
   std::array<bool, 2> is_whole_turn = {{false, false}};
 };
 
-// What the exact arithmetic finds of a curve: the certificate, and what is needed to mend the curve.
+// The result of examining a curve: the certificate, and the data that a correction of the curve needs.
 template <class Surface>
 struct Finding
 {
@@ -46,8 +46,8 @@ struct Finding
   explicit Finding(Certificate_verdict verdict, std::size_t arc = 0) : arc(arc) { certificate.verdict = verdict; }
 };
 
-// Checks the conditions of Proposition 9 of the paper exactly, and tells strict constrictions, flat bands that hold and
-// flat bands that leak.
+// Decides the conditions of the contract in `certify_constriction.h` exactly, in their order, but for the first one,
+// which `arcs_of_locations()` decides.
 template <class Surface>
 class Certifier
 {
@@ -66,7 +66,7 @@ public:
     return examine(arcs, known);
   }
 
-  // As above, but decides only what is not known yet; `known` has an element for each arc, and gets what is found.
+  // As above, but decides only signs that are not yet in `known`, which has an element for each arc, and adds them.
   Finding<Surface> examine(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
   {
     const Sign_statistics before = m_prover.statistics();

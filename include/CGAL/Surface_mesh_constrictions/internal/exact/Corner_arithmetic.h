@@ -96,7 +96,7 @@ public:
 
   explicit Rational_corners(const Surface& surface) : m_surface(surface) {}
 
-  // Corners that are asked for from now on are those of a new expression.
+  // Begins a new expression, to which the corners computed from now on belong.
   void begin_expression()
   {
     if(m_corners.size() > max_kept)
@@ -122,7 +122,7 @@ public:
     return k.ratio;
   }
 
-  // of all corners that the expression has asked for
+  // of all corners that the expression has used
   std::vector<Rational> radicands() const
   {
     std::vector<Rational> result;
@@ -141,7 +141,7 @@ private:
     Corner corner;
     Planar<Multiprecision_interval> ratio;
     bool has_ratio = false;
-    std::size_t expression = 0; // that asked for it last
+    std::size_t expression = 0; // that used it last
   };
 
   Kept& kept(typename Surface::Halfedge h)

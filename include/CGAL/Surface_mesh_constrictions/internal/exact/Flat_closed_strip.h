@@ -59,7 +59,7 @@ public:
         m_corners.push_back(i);
   }
 
-  // Whether the strip closes around one vertex. Then the rest must not be asked for.
+  // Whether the strip closes around one vertex. Then no other function may be called.
   bool is_degenerate() const { return m_corners.size() < 2; }
 
   // Numbers of the corners that the curve meets first. Empty if a tie could not be proved.

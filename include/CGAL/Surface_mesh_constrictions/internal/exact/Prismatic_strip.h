@@ -305,7 +305,7 @@ private:
   std::vector<std::size_t> m_plane_of_face; // of the face before each edge, and of the last face
 };
 
-// Ties of one strip: makes the Prismatic_strip when it is asked for the first time.
+// Ties of one strip: makes the Prismatic_strip at the first call.
 template <class Surface>
 class Prismatic_ties
 {

@@ -15,12 +15,12 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// What the locations of a curve mean.
+// The arcs that the locations of a curve describe, or the condition that they violate.
 template <class Surface>
 struct Located_arcs
 {
   Certificate_verdict verdict; // NOT_COMPUTED if the arcs are good; else why not
-  std::size_t location;        // that does not fit to the next one
+  std::size_t location;        // that does not fit the next one
   std::vector<Exact_arc<Surface>> arcs;
 };
 

@@ -20,7 +20,7 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Closed curves on a mesh that do not cross: on each edge the order of their crossings, in each face their strands.
-// Arcs that curves share are there once. Curves may touch at pivots.
+// Arcs that curves share are stored once. Curves may touch at pivots.
 template <class TriangleMesh>
 class Curve_arrangement
 {
@@ -70,8 +70,8 @@ public:
   Curve_arrangement(const Curve_arrangement&) = delete;
   Curve_arrangement& operator=(const Curve_arrangement&) = delete;
 
-  // Inserts a curve unless it crosses one that is there, or itself, and returns which: its number, or else none.
-  // Numbers are the user's. Throws Invalid_input for what is no closed curve, and then nothing is inserted.
+  // Inserts a curve unless it crosses an inserted one, or itself. Returns the number of the crossed curve, or `none`.
+  // Numbers are the user's. Throws Invalid_input for a curve that is not closed, and then inserts nothing.
   // Linear in the number of crossings, times the number of crossings of one edge and of strands in one face; plus, for
   // each stretch on which two arcs cross the same edges, its length times the logarithm of the number of crossings.
   std::optional<std::size_t> insert(const Constriction<TriangleMesh>& constriction, std::size_t number)
@@ -179,7 +179,7 @@ private:
     return use.is_forward ? m_arcs[use.arc].from : m_arcs[use.arc].to;
   }
 
-  // Finds the arc among those that are there, or else inserts it.
+  // Finds the arc among the inserted ones, or inserts it.
   void add_arc(Arc&& arc, Curve& curve)
   {
     const std::size_t a = m_arcs.size();
@@ -253,8 +253,9 @@ private:
     number(list);
   }
 
-  // Where an arc crosses an edge, if one that was beside it at the edge before goes the same way: it still is. None if
-  // there is no such arc. Following arcs that run together for long, crossing by crossing, would take quadratic time.
+  // The place of an arc's crossing on an edge, if an arc that was beside it at the edge before goes the same way: then
+  // they are still side by side. None if there is no such arc. To follow arcs that run together for long, crossing by
+  // crossing, would take quadratic time.
   std::optional<std::size_t> rank_beside_neighbour(std::size_t a, std::size_t position) const
   {
     const halfedge_descriptor from = m_arcs[a].crossed[position - 1], to = m_arcs[a].crossed[position];

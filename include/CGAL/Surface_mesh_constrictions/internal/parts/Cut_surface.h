@@ -25,7 +25,7 @@ namespace internal {
 
 // A surface subdivided by curves: its cells are the faces that no curve crosses and the pieces of the others. Sides of
 // cells are like halfedges; side h of an uncrossed halfedge h of the corner table has the same number. The ghosts of
-// holes are cells, too, which are no part of the surface; the boundary of the mesh parts them from it.
+// holes are cells, too, which do not belong to the surface; the boundary of the mesh separates them from it.
 class Cut_surface
 {
 public:

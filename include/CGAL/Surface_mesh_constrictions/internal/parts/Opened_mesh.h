@@ -83,7 +83,7 @@ public:
 
   std::size_t number_of_triangles() const { return m_triangles.size(); }
 
-  // Points and triangles, without what has been merged.
+  // Points and triangles, without vertices that have been merged into others.
   std::pair<std::vector<Point>, std::vector<std::array<std::size_t, 3>>> soup()
   {
     std::vector<Point> points;

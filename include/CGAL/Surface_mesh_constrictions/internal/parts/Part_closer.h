@@ -30,14 +30,14 @@ struct Closed_loops
       along_holes;   // those that are holes of the mesh, and those that run partly along one
 };
 
-// Closes the parts of a mesh that has been opened along marked edges, all of them together, by caps that cancel: what a
-// cap adds to the volume of one part, caps of others take away.
+// Closes all parts of a mesh that has been opened along marked edges, by caps that cancel: the volume that a cap adds
+// to one part, caps of other parts take away.
 //
-// The border of a part is taken apart where it touches itself, into loops that pass each vertex once. Of a loop that
-// runs along the same edges as a loop on their other side both get the same triangles, turned over. Loops that share
-// some edges only, as where curves share a stretch, get cones to one common point, the mean of all of their vertices: a
-// cone over a sum of paths is the sum of the cones over them, and these paths are there once in each direction. A hole
-// of the mesh has nothing on its other side, and gets triangles of its own.
+// Where the border of a part touches itself it is divided into loops that pass each vertex once. If a loop runs along
+// the same edges as a loop on their other side, both get the same triangles, turned over. Loops that share only some
+// edges, as where curves share a stretch, get cones to one common point, the mean of all of their vertices: a cone over
+// a sum of paths is the sum of the cones over them, and each of these paths occurs once in each direction. A hole of
+// the mesh has nothing on its other side, and gets triangles of its own.
 template <class TriangleMesh, class EdgeIsConstrainedMap, class VertexPointMap>
 class Part_closer
 {
@@ -94,7 +94,7 @@ private:
     return h;
   }
 
-  // A curve along the whole of a hole cuts nothing off there: that is a hole.
+  // A curve along the whole boundary of a hole cuts nothing off there, so the loop is a hole.
   bool is_along_curves(const std::vector<halfedge_descriptor>& border) const
   {
     return std::all_of(border.begin(), border.end(), [this](halfedge_descriptor h) { return is_marked(h); }) &&
@@ -122,12 +122,12 @@ private:
       }
   }
 
-  // Takes a border apart where it comes back to a vertex. Where a face of a cap would have two corners only, as of a
-  // path that runs to and fro, it is left as it is.
+  // Divides a border where it comes back to a vertex, unless a face of a cap would then have two corners only, as for a
+  // path that runs to and fro.
   //
   // No two loops have more than one vertex of the part in common, so the caps of two have no diagonal in common: when a
-  // loop is taken off, all of its vertices but the one where it closes leave `open`, and what passes them later passes
-  // copies that are not merged with theirs. Different borders have no copy in common.
+  // loop is taken off, all of its vertices but the one where it closes leave `open`, and the border that passes them
+  // later passes copies that are not merged with theirs. Different borders have no copy in common.
   void add_loops(std::size_t part, const std::vector<halfedge_descriptor>& border)
   {
     std::vector<std::vector<halfedge_descriptor>> loops;
@@ -202,7 +202,7 @@ private:
     Cap_polygon polygon;
     for(halfedge_descriptor h : border)
       polygon.push_back(nearest_point(get(m_vpm, target(h, m_tm))));
-    // a diagonal that is an edge of a part already would make it no manifold
+    // a diagonal that is already an edge of a part would make the part non-manifold
     return triangulate_cap(polygon, [&](std::size_t a, std::size_t b) {
       return halfedge(target(border[a], m_tm), target(border[b], m_tm), m_tm).second;
     });
@@ -240,7 +240,7 @@ private:
     end_cap(twin);
   }
 
-  // A hole gets triangles where it can. Loops that hang together by shared edges get cones with a common apex.
+  // A hole gets triangles if there are any. Loops that are connected by shared edges get cones with a common apex.
   void close_alone(const std::vector<std::size_t>& loops)
   {
     std::unordered_set<std::size_t> is_seen;

@@ -184,7 +184,7 @@ private:
     }
   }
 
-  // For each vertex a vertex that stands for all that hang together with it along arcs; itself if there are none.
+  // For each vertex a vertex that stands for all that arcs connect with it; itself if there are none.
   std::vector<std::size_t> clusters_of_vertices() const
   {
     std::vector<std::size_t> cluster(m_surface.points.size());
@@ -203,8 +203,8 @@ private:
   }
 
   // Counts the boundary curves and adds the volumes of the cones over them. Curves that touch each other have the same
-  // apex, their common centre of mass, so that the cones on the two sides of each piece cancel whatever else the
-  // boundary curves run along.
+  // apex, their common centre of mass, so that the cones on the two sides of each piece cancel, wherever else the
+  // boundary curves run.
   void close_boundaries(std::vector<Surface_part>& result) const
   {
     struct Weighted

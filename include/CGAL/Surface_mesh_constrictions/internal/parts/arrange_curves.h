@@ -23,12 +23,12 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// What says which curves cut.
+// The parameters that choose which curves cut.
 struct Cutting_parameters : Mesh_parameters::With<internal_np::minimum_prominence_t, internal_np::choked_side_t,
                                                   internal_np::maximum_number_of_parts_t>
 {};
 
-// The curves that are to cut, arranged, and what became of each that was given.
+// The curves that cut, arranged, and for each given curve whether it cuts, and if not, why.
 template <class TriangleMesh>
 struct Arranged_curves
 {
@@ -58,7 +58,7 @@ std::vector<std::size_t> cutting_order(const std::vector<Constriction<TriangleMe
   return order;
 }
 
-// The first `n` curves in this order, without those that cross one before them.
+// Arranges the first `n` curves in this order, without those that cross one before them.
 template <class TriangleMesh>
 Arranged_curves<TriangleMesh> arrange(const TriangleMesh& tm, const std::vector<Constriction<TriangleMesh>>& curves,
                                       const std::vector<std::size_t>& order, std::size_t n)
@@ -73,8 +73,8 @@ Arranged_curves<TriangleMesh> arrange(const TriangleMesh& tm, const std::vector<
   return result;
 }
 
-// The curves that the named parameters choose, as many as make no more parts than they allow. `imported()` returns the
-// mesh taken over, and is called if parts must be counted.
+// Arranges the curves that the named parameters choose, as many as make no more parts than they allow. `imported()`
+// returns the imported mesh, and is called if parts must be counted.
 template <class TriangleMesh, class NamedParameters, class Imported>
 Arranged_curves<TriangleMesh> arrange_curves(const TriangleMesh& tm,
                                              const std::vector<Constriction<TriangleMesh>>& curves,

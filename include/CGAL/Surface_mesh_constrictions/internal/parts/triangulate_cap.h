@@ -73,9 +73,9 @@ Cap_triangles least_triangulation(const Cap_polygon& polygon, const IsForbidden&
   return result;
 }
 
-// Triangulates a polygon in space without new vertices: as Polygon Mesh Processing does, or, where that gives a
-// diagonal for which is_forbidden(i, j) holds, as small as possible without such. The corners of triangles grow. None
-// if no triangulation is found. Cost: that of `triangulate_hole_polyline()`, at worst O(n^3).
+// Triangulates a polygon in space without new vertices: as Polygon Mesh Processing does, or, if that gives a diagonal
+// for which is_forbidden(i, j) holds, with the least area without such diagonals. The corners of each triangle are in
+// ascending order. None if no triangulation is found. Cost: that of `triangulate_hole_polyline()`, at worst O(n^3).
 template <class IsForbidden>
 Cap_triangles triangulate_cap(const Cap_polygon& polygon, const IsForbidden& is_forbidden)
 {

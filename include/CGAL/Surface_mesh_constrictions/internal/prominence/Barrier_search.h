@@ -34,21 +34,20 @@ enum class Barrier_end
   BEYOND // the barrier is higher than what was asked about
 };
 
-// The greatest length on the easiest way on which a curve becomes shorter, and what it becomes.
+// The greatest length on the easiest way on which a curve becomes shorter, and the end of that way.
 struct Barrier
 {
   double length;
   Barrier_end end;
   Index curve;  // of the tightener, if `end` is CURVE
-  Strip strip;  // of a closed curve that shortens to that
+  Strip strip;  // the faces of a closed curve that shortens to it
   Index vertex; // over which it slides off, if `end` is POINT
 };
 
 // Searches the lowest barrier around a curve: over single vertices beside it and beside the curves behind them, and by
-// sweeping from it. The side that has the lower barrier so far is swept
-// on, as water rises. Now and then the boundary of what has been swept is tightened: as long as it lies before the pass
-// it does not become shorter than the curve; behind it, it does. What is found depends on the surface and the curve
-// alone.
+// sweeping from it. The sweep goes on at the side that has the lower barrier so far, as water rises. Now and then the
+// boundary of the swept region is tightened. As long as it lies before the pass it does not become shorter than the
+// curve; behind the pass it does. The result depends on the surface and the curve alone.
 class Barrier_search
 {
 public:
@@ -67,9 +66,9 @@ public:
   Boundary_tightener& tightener() { return m_tightener; }
 
   // Searches from a simple closed geodesic with this trace, up to a length. The sides of a curve that does not separate
-  // meet. Curves of the same length are looked for `with_ties` only. O(m log m) for m faces swept, plus the tightening
-  // of O(log) boundaries, for each detour again. If the curve behind the barrier hardly holds, its end is what that
-  // becomes.
+  // meet. Curves of the same length are looked for `with_ties` only. If the curve behind the barrier hardly holds, its
+  // `Descent` is the end. O(m log m) for m faces swept, plus the tightening of O(log m) boundaries, and the same again
+  // for each detour.
   Barrier search(const std::vector<Arc>& arcs, const std::vector<Trace_point>& trace, bool separates,
                  double greatest_length, bool with_ties = true, std::size_t detours = most_detours)
   {
@@ -84,8 +83,8 @@ public:
     return followed(pass_vertices(greatest_length));
   }
 
-  // The barrier around the curve that was searched from last, if a curve of the tightener is what lies behind it; its
-  // end is NONE if that is neither shorter nor stands for both.
+  // The barrier around the curve from which the last search started, if a given curve of the tightener lies behind it;
+  // its end is NONE if that curve is neither shorter nor stands for both.
   Barrier behind_barrier(double length, Index curve)
   {
     if(curve == m_goal || !m_tightener.is_simple(curve) || !is_lower(curve))
@@ -93,7 +92,7 @@ public:
     return followed({length, Barrier_end::CURVE, curve, Strip(), null_index});
   }
 
-  // The neighbours of the curve that was searched from last, in no order, some more than once.
+  // The neighbours of the curve from which the last search started, in no order, some more than once.
   const std::vector<Neighbour>& neighbours() const { return m_all_neighbours; }
 
 private:
@@ -107,7 +106,7 @@ private:
     m_all_neighbours.clear();
   }
 
-  // If the curve behind a barrier hardly holds, its end is what that becomes.
+  // If the curve behind a barrier hardly holds, replaces it by the end of its descent.
   Barrier followed(Barrier b)
   {
     const Descent* const further = b.end == Barrier_end::CURVE ? m_descents.descent(b.curve) : nullptr;
@@ -118,13 +117,13 @@ private:
   // Rises that differ by less than this share of the length are equal but for rounding.
   static constexpr double equal_rise_tolerance = 1e-12;
 
-  // Of this height, and behind it what the curve there becomes.
+  // A barrier of this height, with the end of the curve behind it.
   static Barrier barrier(double height, const Descent& d)
   {
     return {height, d.curve == null_index ? Barrier_end::POINT : Barrier_end::CURVE, d.curve, d.strip, d.vertex};
   }
 
-  // The lowest barrier around the goal up to a length, and what is right behind it.
+  // The lowest barrier around the goal up to a length, and the curve right behind it.
   Barrier lowest(const std::vector<Trace_point>& trace, double greatest_length, std::size_t detours)
   {
     Barrier best = pass_vertices(greatest_length);
@@ -167,9 +166,9 @@ private:
   }
 
   // The easiest way found over single vertices, of no more than a length; its end is NONE if there is none. The passes
-  // of the curves found are tried in the order of their heights. Where a pass makes the curve longer by as much as it
-  // did before, what has been passed since does not touch it: if neither of two such passes makes the curve shorter,
-  // both together do not. Else n vertices would lead to 2^n curves.
+  // of the curves found are tried in the order of their heights. If a pass makes the curve longer by as much as it did
+  // before, the vertices passed since do not interfere with it: if neither of two such passes makes the curve shorter,
+  // both together do not. So such a pass is not tried again; else n vertices would lead to 2^n curves.
   Barrier pass_vertices(double greatest_length)
   {
     struct Way
@@ -222,8 +221,8 @@ private:
     return {(std::numeric_limits<double>::infinity)(), Barrier_end::NONE, null_index, Strip(), null_index};
   }
 
-  // What lies behind a pass of a curve, and how high it is. Where the curve held at the vertex is tightened, it becomes
-  // shorter; if from there the curve itself lies on the near side, the pass is no higher than that.
+  // The curve behind a pass of a curve; sets the height of the pass. Held at the vertex and tightened the curve gets
+  // shorter. If it then becomes the old curve when it is let go to the near side, the pass is no higher than that.
   Tightened_boundary behind(Index curve, double height_before, const Vertex_pass& pass, double& height)
   {
     const auto let_go = [&](const std::vector<Arc>& arcs, Curve_side side) {
@@ -243,8 +242,7 @@ private:
     return let_go(held, pass.far_side);
   }
 
-  // Whether what a boundary has been tightened to is shorter than the goal, or a curve of the same length that stands
-  // for both.
+  // Whether a tightened boundary is shorter than the goal, or is a curve of the same length that stands for both.
   bool is_lower(const Tightened_boundary& b) const { return is_lower(b.length, b.longest); }
 
   bool is_lower(Index curve) const { return is_lower(m_tightener.length(curve), curve); }
@@ -256,7 +254,7 @@ private:
                                                   longest != m_goal && m_tightener.precedes(longest, m_goal));
   }
 
-  // Whether what a curve becomes is shorter than the goal.
+  // Whether a descent ends in a curve that is shorter than the goal, or, if the goal separates, in a point.
   bool is_lower(const Descent& d) const
   {
     return d.curve == null_index ? m_separates

@@ -31,7 +31,7 @@ namespace internal {
 // Lengths that differ by less than this share are equal: they are known no better.
 constexpr double equal_length_tolerance = 1e-9;
 
-// What the boundary of a swept region is tightened to.
+// The result of tightening the boundary of a swept region.
 struct Tightened_boundary
 {
   double length = 0;          // of all its curves
@@ -41,7 +41,7 @@ struct Tightened_boundary
   Index vertex = null_index;  // where the last one did that
 };
 
-// Tells on which side of a pass a closed curve lies: tightens it, and keeps each closed geodesic that comes up once.
+// Tells on which side of a pass a closed curve lies, by tightening it. Keeps each resulting closed geodesic once.
 class Boundary_tightener
 {
 public:
@@ -67,7 +67,7 @@ public:
   double length(Index c) const { return m_length[c]; }
   std::uint64_t hash(Index c) const { return m_network.curve(c).hash; }
 
-  // The number of what a closed path of edges is tightened to; null_index if it shortens to a point.
+  // Tightens a closed path of edges. Returns the number of the resulting curve; null_index if it shortens to a point.
   Index tighten_path(const std::vector<Index>& path)
   {
     return path.size() < 3 ? null_index : end(m_network.add_curve(0, path));
@@ -90,8 +90,8 @@ public:
     return result;
   }
 
-  // Tightens a closed curve that is let go at a vertex that it passes, to one side of that; not one that has no other
-  // pivot.
+  // Tightens a closed curve that is let go at a vertex that it passes, to one side of the vertex. The curve must have
+  // another pivot.
   Tightened_boundary let_go(std::vector<Arc> arcs, Index vertex, Curve_side side)
   {
     const auto at = std::find_if(arcs.begin(), arcs.end(), [vertex](const Arc& a) { return a.from == vertex; });
@@ -123,10 +123,10 @@ public:
   // Of two curves of equal length the one that stands for both.
   bool precedes(Index c, Index d) const { return tie_key(m_network, c) < tie_key(m_network, d); }
 
-  // Tightens closed curves without pivots, given by what they cross, of this length in total; stops where the results
-  // are longer together than the limit. Each is first pulled tight in its strip, which shortens it steadily: whatever
-  // it is tightened to, it gets there without getting longer.
-  // Cost: linear in the strips, plus that of tightening each until it is what another one was on its way.
+  // Tightens closed curves without pivots, given by the halfedges that they cross, of this length in total; stops as
+  // soon as the results together are longer than the limit. Each curve is first pulled tight in its strip, which
+  // shortens it steadily, so that on the way to its result it never gets longer. Cost: linear in the strips, plus that
+  // of tightening each until it meets the way of another one.
   Tightened_boundary tighten(const std::vector<Strip>& strips, double length, double limit)
   {
     Tightened_boundary result;
@@ -160,8 +160,8 @@ public:
   }
 
 private:
-  // A closed curve of no more than this length, given by what it crosses, pulled tight between the rims of holes that
-  // it runs along; no arcs if it is a point.
+  // Pulls a closed curve of at most this length, given by the halfedges that it crosses, tight between the rims of
+  // holes that it runs along; no arcs if it is a point.
   std::vector<Arc> pulled_tight(const Strip& given, double length)
   {
     const Progressive_mesh& pm = m_network.surface();
@@ -222,7 +222,7 @@ private:
     return best;
   }
 
-  // The number of what the newest curve of the network is tightened to; null_index if it shortens to a point.
+  // Tightens the newest curve of the network. Returns the number of the result; null_index if it shortens to a point.
   Index end(Index c)
   {
     const Index end = m_basins.tighten(c);

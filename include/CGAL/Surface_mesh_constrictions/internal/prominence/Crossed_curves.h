@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// For a growing set of simple closed geodesics: which of them another one crosses there and back. The directions of the
-// curves do not matter.
+// A growing set of simple closed geodesics, which tells which of them another one crosses there and back. The
+// directions of the curves do not matter.
 class Crossed_curves
 {
 public:
@@ -32,14 +32,14 @@ public:
     m_crossings.add(crossings_beside_pivots(m_pm, reversed(m_pm, trace)));
   }
 
-  // The curves that have been added which a curve crosses, and crosses back again. Those that run beside it, or touch
-  // it, are no such; nor, on a surface with handles, are those that part no neighbourhood of it. Ascending. Linear, up
-  // to a logarithm, in the edges that it crosses and the curves that cross those.
+  // The added curves that a curve crosses there and back. Curves that run beside it, or touch it, do not count; nor, on
+  // a surface with handles, do curves that do not divide a neighbourhood of it. Ascending. Linear, up to a logarithm,
+  // in the edges that it crosses and the curves that cross these edges.
   std::vector<Index> crossed_by(const std::vector<Trace_point>& trace)
   {
     // Curves are moved off their pivots. Two that touch at a pivot are moved apart, or over each other. Between two
-    // that cross there may be nothing but pivots, and then moving them can part them, too. So there must be one side of
-    // the one to which it can be moved, such that it is crossed whatever is done with the other.
+    // that cross there may be nothing but pivots, and then moving them can separate them, too. So a curve counts as
+    // crossed if there is a side to which it can be moved such that it is crossed on whichever side the other one is.
     const std::array<std::vector<Index>, 2> by = {
         {crossed_beside(crossings_beside_pivots(m_pm, trace)),
          crossed_beside(crossings_beside_pivots(m_pm, reversed(m_pm, trace)))}};
@@ -96,7 +96,7 @@ private:
 
   const Progressive_mesh& m_pm;
   Curve_crossings m_crossings;
-  Vertex_classes m_class; // of a vertex beside the curve that was asked about last
+  Vertex_classes m_class; // of a vertex beside the curve of the last call
 };
 
 } // namespace internal

@@ -20,25 +20,25 @@ namespace internal {
 // A curve that is less prominent hardly holds. On a tube most closed geodesics are such.
 constexpr double negligible_prominence = 0.01;
 
-// What a curve that hardly holds becomes.
+// The curve, or the point, that a curve that hardly holds becomes.
 struct Descent
 {
   Index curve;   // of the tightener; null_index if it shortens to a point
   double height; // the greatest length on the way
-  Strip strip;   // of a closed curve that shortens to that
+  Strip strip;   // the faces of a closed curve that shortens to it
   Index vertex;  // over which it slides off, if it shortens to a point
 };
 
-// Follows closed geodesics over single vertices, as long as what is behind is shorter and the way is hardly longer, to
-// one that holds. Each is followed once. Where one leads to depends on the surface and the curve alone.
+// Follows closed geodesics over single vertices to one that holds, as long as the curve behind the vertex is shorter
+// and the way there is hardly longer. Each is followed once. Its end depends on the surface and the curve alone.
 class Descents
 {
 public:
   // `angles` of the surface of the tightener.
   Descents(Boundary_tightener& tightener, const Corner_angles& angles) : m_tightener(tightener), m_angles(angles) {}
 
-  // What a simple curve of the tightener becomes, or null if it holds. The first time for each curve on the way it
-  // costs as much as `vertex_passes()`, and tightening the curve behind each pass.
+  // The end of a simple curve of the tightener, or null if the curve holds. For each curve on the way the first call
+  // costs as much as `vertex_passes()`, plus tightening the curve behind each pass.
   const Descent* descent(Index from)
   {
     std::vector<Index> way;
@@ -56,7 +56,7 @@ public:
       way.push_back(c);
       c = d ? d->curve : null_index;
     }
-    // from the end on, each is led to what the next one on the way becomes
+    // backwards from the end: each curve gets the end of the next one on the way
     for(auto c = way.rbegin(); c != way.rend(); ++c)
     {
       std::optional<Descent>& d = m_descents[*c];

@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Sweeps from a closed curve to its two sides. What has been swept on a side up to a distance is bounded by the curve
-// and by closed curves that together are homologous to it: the level set of the distance, and, where the sides of a
-// curve that does not separate have met, the points that are as far from both.
+// Sweeps from a closed curve to its two sides. The region swept on a side up to a distance is bounded by the curve and
+// by closed curves that together are homologous to it: the level set of the distance, and, where the sides of a curve
+// that does not separate have met, the points at the same distance from both.
 //
 // The distance is interpolated linearly in each face, so these are closed polygons on the mesh, whose length is exact
 // but for rounding, whatever the error of the distances.
@@ -105,10 +105,10 @@ public:
     return m_sides[s].vertices.empty() ? null_index : m_sides[s].vertices.back();
   }
 
-  // The boundary of what has been swept on a side up to a level that is complete, but for the start: the halfedges that
+  // The boundary, without the start, of the region swept on a side up to a level that is complete: the halfedges that
   // each of its closed curves crosses, in order, from their face to the opposite one. The target of each is swept, or
   // lies across the start. A halfedge from or to a ghost stands for its other end, on the rim of a hole that the curve
-  // runs along. Linear in what has been swept.
+  // runs along. Linear in the swept region.
   std::vector<Strip> boundary(std::size_t s, std::size_t level)
   {
     ++m_boundary;
@@ -176,8 +176,8 @@ private:
            (s == 1 || !m_front.belongs_to(v, 1) || m_front.distance(v, 1) > 0);
   }
 
-  // Walks around a curve of the boundary, from a halfedge that leads out of what has been swept, or across the start to
-  // what has not. Does nothing if that was passed before.
+  // Walks around a curve of the boundary, from a halfedge that leads out of the swept region, or across the start to an
+  // unswept one. Does nothing if that halfedge was passed before.
   void follow(Index h, std::size_t s, std::vector<Strip>& strips)
   {
     if(m_is_passed[h] == m_boundary)
@@ -242,7 +242,7 @@ private:
     }
   }
 
-  // What a vertex that has just been settled on a side completes.
+  // Adds the faces that are complete now that a vertex has been settled on a side.
   void note_settled(Index v, std::size_t s)
   {
     if(m_front.belongs_to(v, s))
@@ -298,7 +298,7 @@ private:
   std::vector<Index> m_is_crossed; // the last sweep whose start crossed an edge an odd number of times
   std::vector<Index> m_is_passed;  // the last boundary that was followed across a halfedge
   Index m_sweep = 0, m_boundary = 0;
-  double m_distance = 0; // up to which a boundary is asked for
+  double m_distance = 0; // up to which a boundary is computed
   bool m_sides_meet = false;
   Level_scale m_scale{1};
 };

@@ -86,7 +86,7 @@ public:
     m_sum = 0;
   }
 
-  // The length at a level. Levels must be asked for in ascending order. Constant, amortised.
+  // The length at a level. Call it for levels in ascending order. Constant, amortised.
   double length(std::size_t level)
   {
     for(; m_number_added <= level && m_number_added < m_from.size(); ++m_number_added)

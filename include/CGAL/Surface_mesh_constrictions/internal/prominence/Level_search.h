@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Measures curves of T^0 on a coarser level: what a curve is tightened to there, if that lies where the curve does and is
-// about as long, stands for it. What lies behind the barrier is led back to T^0, and must be shorter there, too.
+// Measures curves of T^0 on a coarser level. A curve is tightened on the level; the result stands for it if it lies at
+// the same place and is about as long. The curve behind the barrier is led back to T^0, and must be shorter there, too.
 class Level_search
 {
 public:
@@ -36,8 +36,8 @@ public:
     : m_pm(pm), m_to_input(to_input), m_level(level), m_search(level.copy.surface(), level.lengths, level.angles)
   {}
 
-  // The prominence of the curve that was searched from last on the input; none if this level does not tell. Cost: that
-  // of `Barrier_search::search()` on the level, plus what is tightened on T^0.
+  // The prominence of the curve from which `input` searched last; none if this level does not hold that curve. Cost:
+  // that of `Barrier_search::search()` on the level, plus that of tightening curves on T^0.
   std::optional<Prominence> measure(Barrier_search& input, const Measured_curve& curve)
   {
     Boundary_tightener& here = m_search.tightener();
@@ -47,8 +47,8 @@ public:
       return std::nullopt;
     if(!lies_at(trace(here.surface(), here.arcs(c)), curve))
       return std::nullopt;
-    // What is shorter here by less than the error of the level may be longer on T^0: then the way goes on from there.
-    // What is longer here by less than that may be shorter on T^0: then it ends there.
+    // A curve that is shorter here by less than the error of the level may be longer on T^0: then the way goes on from
+    // it. A curve that is longer here by less than that may be shorter on T^0: then the way ends there.
     double height = 0;
     for(Index at = c, steps = 0; steps < most_steps; ++steps)
     {
@@ -78,7 +78,7 @@ private:
   // length; so many of them are looked at.
   static constexpr double greatest_difference = 0.01, greatest_distance = 0.03;
   static constexpr std::size_t number_of_points = 32;
-  // So many curves are passed on the way to one that is shorter on T^0.
+  // The greatest number of curves that are passed on the way to one that is shorter on T^0.
   static constexpr Index most_steps = 8;
 
   // Whether a curve of the level lies where one of T^0 does.
@@ -101,8 +101,8 @@ private:
     return true;
   }
 
-  // The lowest barrier to a neighbour that is shorter on T^0, if that is lower than what has been found for a curve that
-  // is number `c` here. `height_before` is the greatest length on the way to where the neighbours were met.
+  // The lowest barrier to a neighbour that is shorter on T^0, if that is lower than what has been found for a curve
+  // that is number `c` here. `height_before` is the greatest length on the way to where the neighbours were met.
   Prominence lower_neighbour(Barrier_search& input, const Measured_curve& curve, Index c, double height_before,
                              std::vector<Barrier_search::Neighbour> neighbours, const Prominence& found)
   {
@@ -133,10 +133,10 @@ private:
   struct On_input
   {
     std::vector<Index> path; // of edges, that is tightened
-    Index curve;             // number of what it is tightened to; null_index if it shortens to a point
+    Index curve;             // the number of the curve that it becomes; null_index if it shortens to a point
   };
 
-  // What number `c` here is on T^0. Curves come up again and again: each is tightened once.
+  // The curve that number `c` of this level becomes on T^0. Curves come up repeatedly; each is tightened once.
   const On_input& on_input(Barrier_search& input, Index c)
   {
     const auto known = m_on_input.find(c);
@@ -157,7 +157,8 @@ private:
     return there != null_index && input.behind_barrier(0, there).end != Barrier_end::NONE;
   }
 
-  // What a barrier on the level means on T^0; nothing if what lies behind it is not shorter there.
+  // The prominence on T^0 that follows from a barrier on the level; nothing if the curve behind it is not shorter on
+  // T^0.
   std::optional<Prominence> prominence_on_input(Barrier_search& input, const Measured_curve& curve, double value,
                                                 const Barrier& barrier)
   {

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// A coarser level of a surface, on which the prominences of curves are measured that it holds as the input does.
+// A coarser level of a surface, for measuring the prominences of curves that it holds as the input does.
 struct Measuring_level
 {
   Level_copy copy;
@@ -27,12 +27,12 @@ struct Measuring_level
   explicit Measuring_level(const Progressive_mesh& pm) : copy(pm), lengths(copy.surface()), angles(copy.surface()) {}
 };
 
-// The coarsest has so many vertices, the next this many times as many, and so on; the last less than a third of those
-// of the input, or there is little to be gained.
+// The number of vertices of the coarsest level, and the ratio of two levels in turn. The last has less than a third of
+// the vertices of the input; a larger one would save little.
 constexpr std::size_t least_measuring_vertices = 8192, measuring_factor = 4;
 
-// A level on which the surface is smoother than T^0 holds its curves as others: its area differs by more than this
-// share. That of scans differs by a tenth of it, that of the steps of voxels by twenty times as much.
+// A level does not hold curves as T^0 does if the surface is smoother there: if its area differs by more than this
+// share. The area of scans differs by a tenth of it, that of the steps of voxels by twenty times as much.
 constexpr double greatest_difference_of_areas = 0.005;
 
 // The area of the current surface. Linear in T^0.

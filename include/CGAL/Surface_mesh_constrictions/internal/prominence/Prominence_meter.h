@@ -41,7 +41,7 @@ public:
   template <class ConcurrencyTag>
   std::vector<Prominence> measure(const std::vector<Measured_curve>& curves)
   {
-    // a search takes memory in proportion to the mesh, and time to make, so they are few, and kept
+    // a search needs memory in proportion to the mesh, and time to be made, so there are only a few, and they are kept
     auto groups = make_groups<std::vector<Prominence>>(
         curves.size(), (std::max)((curves.size() + most_searches - 1) / most_searches, least_group_size));
     m_searches.resize((std::max)(m_searches.size(), groups.size()));
@@ -61,8 +61,8 @@ public:
 
 private:
   static constexpr std::size_t most_searches = 4, least_group_size = 16;
-  // What parts curves that are one on a level is lower than this, and near: on scans subdivided to 832,000 faces up to
-  // 0.035. If nothing is found up to there, the level is right.
+  // The barriers between curves that become one on a level are lower than this, and near: on scans subdivided to
+  // 832,000 faces they are up to 0.035. If no barrier is found up to there, the prominence on the level is right.
   static constexpr double greatest_within_place = 0.05;
   static constexpr std::size_t detours_within_place = 2;
 

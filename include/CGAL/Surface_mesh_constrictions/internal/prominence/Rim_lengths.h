@@ -13,10 +13,10 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// How the boundary of what has been swept is closed on a surface whose holes are closed by ghosts. Where it meets a
-// hole it goes on along the rim of the hole: by the part that has been swept, or by the one that has not, whichever is
-// shorter. So the sweep slides over a hole as if that were filled by a flat piece, and at the open end of a tube it
-// comes off when its rim has been passed.
+// Lengths along rims that close the boundary of a swept region on a surface whose holes are closed by ghosts. Where the
+// boundary meets a hole it goes on along the rim of the hole: along the part that has been swept, or along the rest,
+// whichever is shorter. So the sweep slides over a hole as if that were filled by a flat piece, and at the open end of
+// a tube it comes off when it has passed the rim.
 class Rim_lengths
 {
 public:

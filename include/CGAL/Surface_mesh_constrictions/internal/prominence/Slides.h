@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// To which curve of a surface each other one slides: barriers, searched when they are first asked for. Curves are
-// numbered as they come up.
+// To which other curve of a surface each curve slides. Barriers are searched at the first call for a curve. Curves are
+// numbered in the order in which they are entered or found.
 class Slides
 {
 public:

@@ -24,10 +24,10 @@ struct Measured_curve
   double length;
   bool separates;
   bool with_ties = true; // whether another curve of the same length may stand for it
-  bool on_input = false; // whether what is near is first looked for on the input
+  bool on_input = false; // whether the neighbourhood is searched on the input first
 };
 
-// A barrier relative to the length of its curve, less one, and what lies behind it.
+// A barrier relative to the length of its curve, less one, and the curve or point behind it.
 struct Prominence
 {
   double value;
@@ -39,10 +39,10 @@ struct Prominence
   std::uint64_t place = 0; // the same for all curves that are one on the level on which this one was measured, if not 0
 };
 
-// The height of a barrier relative to the length of its curve, less one; no less than 0 if rounding makes it so.
+// The height of a barrier relative to the length of its curve, less one; never less than 0, whatever rounding does.
 inline double prominence_of_barrier(double barrier, double length) { return (std::max)(barrier / length - 1, 0.0); }
 
-// What the barrier around the curve that was searched from last means.
+// The prominence that follows from the barrier around the curve from which the last search started.
 inline Prominence prominence_from(Barrier_search& search, const Barrier& b, double length)
 {
   Prominence result = {prominence_of_barrier(b.length, length), b.end, {}, 0, {}, b.vertex};

@@ -9,8 +9,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The order in which constrictions are given: by prominence times roundness, so that necks come before what is held as
-// well but lies aslant around several limbs; then by prominence. Last what has none.
+// The order of the results: by prominence times roundness, so that necks come before curves that hold as firmly but lie
+// aslant around several limbs; then by prominence. Curves without a prominence come last.
 template <class Constriction>
 bool ranks_before(const Constriction& c, const Constriction& d)
 {

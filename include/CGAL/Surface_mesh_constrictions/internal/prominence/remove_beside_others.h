@@ -16,8 +16,8 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // The area that a constriction sweeps on the way along dominated_by() to the first one that is selected and no less
-// prominent, or that stays and is hardly less, relative to its squared length. Infinite if there is none. With a greater
-// threshold of prominence one that is no less prominent is still there, so that what is removed for it stays so.
+// prominent, or that stays and is hardly less prominent, relative to its squared length. Infinite if there is none. A
+// greater threshold of prominence keeps the one that is no less prominent, so curves removed for it stay removed.
 template <class Constriction>
 double isolation_among(const std::vector<Constriction>& given, const std::vector<bool>& is_selected,
                        const std::vector<bool>& stays, std::size_t i)
@@ -35,10 +35,10 @@ double isolation_among(const std::vector<Constriction>& given, const std::vector
   }
 }
 
-// Removes from those selected the ones that lie beside a more prominent one, or one that is hardly less prominent, with
-// less isolation. For a more prominent one each is judged among all that were selected, so of a row of them the last one
-// stays; for another one only if that stays itself, or a row would fade away. Rims stay if they are asked for.
-// Cost: the square of the ways along dominated_by().
+// Removes selected constrictions that lie, with less isolation than the minimum, beside a more prominent one, or beside
+// one that is hardly less prominent. All selected ones count as more prominent neighbours, so of a row of curves the
+// last one stays. A less prominent neighbour counts only if it stays itself; otherwise a whole row would vanish. Rims
+// stay if `with_rims` is set. Cost: the square of the lengths of the ways along dominated_by().
 template <class Constriction>
 void remove_beside_others(const std::vector<Constriction>& given, const std::vector<bool>& is_selected,
                           double minimum_isolation, bool with_rims, std::vector<std::size_t>& selected)

@@ -22,16 +22,16 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// A way for a closed geodesic to get over one vertex beside it.
+// A way of a closed geodesic over one vertex beside it.
 struct Vertex_pass
 {
-  std::vector<Arc> arcs; // of the curve when it is at the vertex: it is no longer on the way there
-  double length;         // of that
+  std::vector<Arc> arcs; // of the curve at the vertex; on the way there it is never longer than at one of the two ends
+  double length;         // of these arcs
   Index vertex;
   Curve_side far_side; // of the curve, that it gets to
 };
 
-// What a closed curve crosses that is led past each of its pivots on one side.
+// The halfedges that a closed curve crosses when it is led past each of its pivots on one side.
 inline Strip strip_beside(const Progressive_mesh& pm, const std::vector<Arc>& arcs, Curve_side side)
 {
   Strip strip;
@@ -44,13 +44,13 @@ inline Strip strip_beside(const Progressive_mesh& pm, const std::vector<Arc>& ar
   return strip;
 }
 
-// The vertices that a closed geodesic gets over with one arc drawn to them: those at the rim of the strip of faces of
-// an arc, or opposite to the edge that it runs along. Only those behind which the curve becomes shorter at once, and up
-// to a length, the shortest first. While the arc moves to the vertex the curve is in one strip of faces. There its
-// length is a convex function of where it crosses the edges, so that on the straight way it is at most what it is at
-// the ends.
+// The vertices over which a closed geodesic gets if one arc is drawn to them: those at the rim of the strip of faces of
+// an arc, or opposite to the edge that it runs along. Only those behind which the curve becomes shorter at once, up to
+// a length, the shortest first. While the arc moves to the vertex the curve stays in one strip of faces, where its
+// length is a convex function of the places of its crossings. So on the straight way it is never longer than at one of
+// its ends.
 //
-// `angles` of the surface. Linear in what the curve crosses, and once more for each pass.
+// `angles` of the surface. Linear in the crossings of the curve, and once more for each pass.
 inline std::vector<Vertex_pass> vertex_passes(const Progressive_mesh& pm, const Corner_angles& angles,
                                               const std::vector<Arc>& arcs, double greatest_length,
                                               String_puller& puller)

@@ -26,9 +26,9 @@ namespace internal {
 
 // Level sets of functions on the vertices of the current surface, as closed paths of edges: the boundary loops of the
 // faces none of whose vertices is above the level. Where a loop and one of the next level bound a tube between them,
-// only that is given beside which the level set is shorter: what is given is the shortest around. Where a constriction
-// lies aslant in a tube that only gets wider, none of the sections may be the shortest: so each seventh level is given
-// as a whole.
+// only the one is written beside which the level set is shorter, so the shortest of a tube. Where a constriction lies
+// aslant in a tube that only gets wider, none of the sections may be the shortest; so every seventh level is written as
+// a whole.
 //
 // A level that meets a hole is an open line. It is closed along the boundary of the hole, in both ways, one after the
 // other: all of the hole is above the level until it has passed the highest vertex of the hole, or below from the

@@ -24,7 +24,7 @@ template <class NamedParameters>
 constexpr bool has_seed_sources =
     !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_sources_t>::value;
 
-// Whether it is non-face triangles that are asked for, as in the paper.
+// Whether the named parameters restrict the seeds to non-face triangles, as in the paper.
 template <class NamedParameters>
 constexpr bool has_seed_detection =
     !has_seed_sources<NamedParameters> &&
@@ -53,7 +53,7 @@ std::vector<Seed_curve> replay(const Collapse_record& record, const SeedSource& 
   return seeds;
 }
 
-// The seeds of the source that the named parameters ask for.
+// The seeds of the source that the named parameters choose.
 template <class ConcurrencyTag, class NamedParameters, class Visitor>
 std::vector<Seed_curve> find_seeds(const Collapse_record& record, const NamedParameters& np, bool first_only,
                                    const Visitor& visitor, Progressive_mesh& pm)

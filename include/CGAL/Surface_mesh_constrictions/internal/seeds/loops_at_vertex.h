@@ -18,20 +18,19 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Loops of edges through one vertex of T^0, the root, one of each kind that geodesic loops at the root can be of: the
-// shortest paths to the two ends of an edge, and the edge. Of smooth surfaces, geodesic loops at a point go through the
-// local minima of the distance from it along its cut locus, which are the saddles of the distance.
+// Loops of edges through one vertex of T^0, the root, one for each kind of geodesic loop at the root: the shortest
+// paths to the two ends of an edge, and the edge. On smooth surfaces, geodesic loops at a point go through the local
+// minima of the distance from it along its cut locus, which are the saddles of the distance.
 //
-// The front of what is nearer to the root than some distance meets itself at a saddle. Seen from far to near: what is
-// left of the surface begins at the tips and at the holes, a region around each, and two regions become one at a
-// saddle. The loop there encloses the one or the other. How much longer the loops of edges further out in the lesser
-// region are, relative to this one, is its persistence: what paths along edges have for errors makes loops of small
-// persistence. What joins a region to itself, once all are one, is not contractible: these loops are a greedy homotopy
-// basis (Erickson and Whittlesey 2005), and are all taken.
+// Process the surface from far to near. The processed part begins as a region around each tip and each hole. At a
+// saddle two regions become one; the loop there encloses either of them. Its persistence is how much longer the loops
+// of edges further out in the lesser region are, relative to this loop; errors of paths along edges make loops of small
+// persistence. Once all regions are one, a loop that joins it to itself is not contractible. These loops are a greedy
+// homotopy basis (Erickson and Whittlesey 2005), and all of them are taken.
 //
-// Returns `maximum_number` at most, paths of vertex ids from the root on, which is not repeated: those that join a
-// region to itself or part two holes, the shortest first, then by persistence. A path may begin and end with the same
-// edges. O(n log n).
+// Returns at most `maximum_number` loops, paths of vertex ids from the root on, which is not repeated: first those that
+// join a region to itself or separate two holes, the shortest first, then the others by persistence. A path may begin
+// and end with the same edges. O(n log n).
 inline std::vector<std::vector<Index>> loops_at_vertex(const Progressive_mesh& pm, Index root,
                                                        std::size_t maximum_number)
 {

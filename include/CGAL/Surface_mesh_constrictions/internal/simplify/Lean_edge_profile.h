@@ -28,10 +28,10 @@ public:
 
 namespace Surface_mesh_simplification {
 
-// A model of EdgeProfile that looks up what it is asked for. CGAL's own allocates memory for the triangles around the
-// edge and their link as it is made, and on a mesh with border goes around both ends; but of some thirty profiles that
-// edge_collapse() makes for each collapse, only that of the edge that collapses is asked for these. The rest is made
-// for costs that hardly ever need them: this takes a third off the time of the simplification.
+// A model of EdgeProfile that looks up its members when they are read. CGAL's own profile allocates memory for the
+// triangles around the edge and for their link when it is made, and on a mesh with border goes around both ends. Of
+// some thirty profiles that edge_collapse() makes for each collapse, only that of the collapsed edge needs these; the
+// others are for costs that hardly ever do. Without them the simplification takes a third less time.
 template <class GeomTraits>
 class Edge_profile<Surface_mesh_constrictions::Simplification_mesh,
                    Surface_mesh_constrictions::internal::Lean_point_map, GeomTraits>
@@ -115,9 +115,9 @@ private:
   const Vertex_point_map& m_vpm;
   const Geom_traits& m_traits;
   halfedge_descriptor m_h;
-  vertex_descriptor m_v0, m_v1; // they are asked for after the collapse, too
+  vertex_descriptor m_v0, m_v1; // they are read after the collapse, too
   bool m_has_border;
-  mutable std::optional<Full_profile> m_full; // what it knows is of before the collapse
+  mutable std::optional<Full_profile> m_full; // as before the collapse
 };
 
 } // namespace Surface_mesh_simplification

@@ -66,14 +66,14 @@ struct Optional_stop_predicate
 struct Block_simplification
 {
   std::size_t whole_faces = 65536; // a mesh of no more faces is simplified as a whole
-  std::size_t block_faces = 16384; // of a block at most, and of what is left of the blocks of a larger mesh in the end
+  std::size_t block_faces = 16384; // of a block at most, and at most of all blocks together after the last round
   double share = 0.25;             // of the edges inside a block that are left
 };
 
 // Simplifies a copy of the mesh as far as CGAL's edge_collapse() goes, or to the first non-face triangle that it meets,
-// and returns what was done. With blocks, a surface of many faces is first simplified in parts; its faces are then
-// numbered anew, block after block, so that what is done in one place lies together in memory from here on. O(n log n),
-// and with blocks nearly linear.
+// and returns the record. With blocks, a surface of many faces is first simplified in parts. Its faces are then
+// numbered anew, block after block, so that neighbouring faces are near to each other in memory from here on. O(n log
+// n), and with blocks nearly linear.
 //
 // A surface with boundary is simplified with its holes open: a collapse keeps it a surface, with three edges at each
 // hole at least, if and only if it keeps the surface a closed one whose holes are filled by ghosts.

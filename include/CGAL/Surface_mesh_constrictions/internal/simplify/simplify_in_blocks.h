@@ -113,7 +113,7 @@ inline Face_block make_face_block(const Corner_table& table, const std::vector<P
   return result;
 }
 
-// What the simplification of a block has done: collapses, and the corners of the faces that are left, in numbers of
+// The result of the simplification of a block: collapses, and the corners of the faces that are left, in numbers of
 // T^0.
 struct Simplified_block
 {
@@ -165,9 +165,9 @@ Simplified_block simplify_block(const Face_block& block, const Policies& make_po
   return result;
 }
 
-// Simplifies blocks of a surface apart from each other, so that each fits into the cache, and several processors can
-// work. What is at the border of a block stays as it is. Appends the collapses to the record, block by block, and
-// returns the surface that is left.
+// Simplifies blocks of a surface independently, so that each fits into the cache, and several processors can work.
+// Edges at the border of a block stay as they are. Appends the collapses to the record, block by block, and returns the
+// surface that is left.
 template <class ConcurrencyTag, class Policies, class Progress>
 Partial_surface simplify_blocks(const Corner_table& table, const std::vector<Partial_surface::Point>& points,
                                 const std::vector<Index>& vertices, const Face_blocks& blocks, double share,

@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The angles of the corners of a surface that stays at its level, each computed when it is first asked for. Can be
-// asked by several threads at a time. Memory: 8 bytes for each halfedge of T^0.
+// The angles of the corners of a surface that stays at its level, each computed when it is first read. Several threads
+// may read them at a time. Memory: 8 bytes for each halfedge of T^0.
 class Corner_angles
 {
 public:

@@ -15,8 +15,8 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Connectivity of an oriented triangle mesh in two arrays. Face f has the halfedges 3f, 3f+1, 3f+2, in
-// counterclockwise order; halfedge 3f+i goes from corner i of the face to corner i+1. What belongs to a halfedge lies
-// side by side: on a large mesh each array that is looked up costs a cache miss.
+// counterclockwise order; halfedge 3f+i goes from corner i of the face to corner i+1. The data of a halfedge is stored
+// side by side: on a large mesh each array that is read costs a cache miss.
 //
 // A surface with boundary comes in two forms. Open, its border halfedges have no opposite. Closed by ghosts, each hole
 // has one vertex more, which is joined to the edges of the hole by faces: the ghosts. They are numbered after all
@@ -41,7 +41,7 @@ inline std::string edge_name(std::size_t u, std::size_t v)
   return "the edge between vertices " + std::to_string(u) + " and " + std::to_string(v);
 }
 
-// Throws what is wrong with the edge of halfedge h: it has not exactly one halfedge in each direction.
+// Throws an Invalid_input for the edge of halfedge h, which does not have exactly one halfedge in each direction.
 inline void throw_defect_of_edge(Index h, Index u, Index v, std::size_t forth, std::size_t back)
 {
   const std::size_t f = h / 3;
@@ -58,9 +58,9 @@ inline void throw_defect_of_edge(Index h, Index u, Index v, std::size_t forth, s
                           std::to_string(forth + back) + " faces");
 }
 
-// Connects triangles, given by three vertex indices each. Throws Invalid_input for whatever is not an oriented
-// 2-manifold without two edges between the same vertices, closed or, `with_border`, with border edges, of which the
-// halfedges have no opposite. Isolated vertices are allowed.
+// Connects triangles, given by three vertex indices each. Throws Invalid_input if the result is not an oriented
+// 2-manifold without two edges between the same vertices. It has to be closed or, `with_border`, may have border edges,
+// whose halfedges have no opposite. Isolated vertices are allowed.
 // Linear in the sum of squared vertex degrees.
 inline Corner_table make_corner_table(std::size_t number_of_vertices, const std::vector<Index>& corners,
                                       bool with_border = false)

@@ -15,7 +15,7 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // The vertices and edges of one level of a progressive mesh, without ghosts, numbered without gaps in ascending order
-// of their ids, so that what is done many times on a coarse level does not depend on the size of the input.
+// of their ids, so that repeated work on a coarse level does not depend on the size of the input.
 class Edge_graph
 {
 public:

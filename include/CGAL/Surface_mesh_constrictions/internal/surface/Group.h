@@ -10,8 +10,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Consecutive items that one thread works on, and what it makes of them. Groups do not depend on the number of threads,
-// so nor does what depends on how items are grouped.
+// Consecutive items that one thread processes, and its result. Groups do not depend on the number of threads, so
+// results that depend on the grouping do not either.
 template <class Result>
 struct Group
 {

@@ -23,13 +23,13 @@ inline void add_modulo_two(Number_set& a, const Number_set& b)
   a.swap(sum);
 }
 
-// Writes homology classes modulo 2 as sums of others, which are independent. If curves are offered from the shortest to
-// the longest, and those added whose class is no sum, the others are the shortest basis of what they span: that is what
-// the greedy algorithm finds (Erickson and Whittlesey, "Greedy optimal homotopy and homology generators", 2005).
+// Writes homology classes modulo 2 as sums of the classes of a basis. If curves are offered from the shortest to the
+// longest, and those whose class is not a sum are added to the basis, the basis is the shortest one of its span, as the
+// greedy algorithm finds it (Erickson and Whittlesey, "Greedy optimal homotopy and homology generators", 2005).
 class Homology_basis
 {
 public:
-  // A class and the sum of those in the basis that has been added to it.
+  // A class, reduced by a sum of classes of the basis, and that sum.
   struct Reduced
   {
     Number_set homology_class; // what is left; its first number is that of no class in the basis
@@ -54,7 +54,7 @@ public:
     return result;
   }
 
-  // Adds a class that has been reduced, and is no sum, as that of the curve with this number.
+  // Adds a reduced class that is not a sum, as that of the curve with this number.
   void add(Reduced reduced, std::size_t number)
   {
     add_modulo_two(reduced.members, {number});

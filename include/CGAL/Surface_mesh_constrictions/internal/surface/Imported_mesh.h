@@ -26,7 +26,7 @@ namespace internal {
 
 typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
 
-// Throws Invalid_input for a coordinate that is no finite number and for an edge of length zero.
+// Throws Invalid_input for a coordinate that is not a finite number and for an edge of length zero.
 inline void check_points(const Corner_table& table, const std::vector<Point>& points)
 {
   for(std::size_t v = 0; v < points.size(); ++v)
@@ -59,9 +59,9 @@ inline void close_by_ghosts(Corner_table& table, std::vector<Point>& points)
   }
 }
 
-// A triangle mesh taken over from a face graph, with the way back; if it has a boundary, closed by ghosts. Vertices and
-// faces are numbered in the order of the graph, until the faces are put into another order. Faces start at their vertex
-// of smallest index, so that the same mesh in different data structures is taken over the same way.
+// A triangle mesh imported from a face graph, with the way back; if it has a boundary, it is closed by ghosts. Vertices
+// and faces are numbered in the order of the graph, until `reorder_faces()` changes that of the faces. Faces start at
+// their vertex of smallest index, so that the same mesh in different data structures gives the same result.
 template <class TriangleMesh>
 class Imported_mesh
 {
@@ -97,7 +97,7 @@ public:
       if(next(p, tm) != h || p == h || n == h)
         throw Invalid_input(Input_defect::NOT_TRIANGULAR, m_halfedges.size(),
                             "not a triangle mesh: face " + std::to_string(m_halfedges.size()) +
-                                " has not three vertices; triangulate_with_face_map() makes a mesh of triangles");
+                                " does not have three vertices; triangulate_with_face_map() makes a mesh of triangles");
       const Index a = index[get(vim, source(h, tm))], b = index[get(vim, source(n, tm))],
                   c = index[get(vim, source(p, tm))];
       if(a <= b && a <= c)
@@ -146,7 +146,7 @@ public:
       p = m_unit.divided(p);
   }
 
-  // what coordinates have been divided by
+  // the unit by which coordinates have been divided
   const Coordinate_unit& unit() const { return m_unit; }
 
   vertex_descriptor vertex(Index v) const { return m_vertices[v]; }

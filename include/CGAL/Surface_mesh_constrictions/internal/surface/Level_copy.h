@@ -38,8 +38,8 @@ public:
   // the number in T^0 of a vertex of this surface
   Index original(Index v) const { return m_original[v]; }
 
-  // What a sequence of vertices of T^0, those that a closed curve of a finer level passes by, becomes as faces shrink:
-  // a closed path of edges. Fewer than three vertices if it is a point or an edge forth and back. Linear.
+  // Translates a sequence of vertices of T^0, past which a closed curve of a finer level runs, to a closed path of
+  // edges of this surface. Fewer than three vertices if the path is a point, or an edge forth and back. Linear.
   std::vector<Index> path(std::vector<Index> vertices) const
   {
     for(Index& v : vertices)

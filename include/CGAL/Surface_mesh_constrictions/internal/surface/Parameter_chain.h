@@ -6,7 +6,7 @@
 
 namespace CGAL {
 
-// The parameters that CGAL does not have.
+// The parameters of this package, which CGAL does not have.
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_OWN_PARAMETERS(DO)                                                             \
   DO(seed_detection_t, seed_detection)                                                                                 \
   DO(tightening_schedule_t, tightening_schedule)                                                                       \
@@ -32,7 +32,7 @@ namespace CGAL {
   DO(with_filled_holes_t, with_filled_holes)                                                                           \
   DO(cap_output_iterator_t, cap_output_iterator)
 
-// Those of CGAL's that functions of this package take.
+// CGAL's parameters that functions of this package take.
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_TAKEN_PARAMETERS(DO)                                                           \
   DO(vertex_point_t, vertex_point_map)                                                                                 \
   DO(vertex_index_t, vertex_index_map)                                                                                 \
@@ -66,7 +66,7 @@ namespace internal {
 // compile: to a parameter of this package all others can be chained in any order. Those of CGAL's that no function of
 // this package takes are inherited, and return CGAL's class, to which only CGAL's own can be chained.
 //
-// What starts with a parameter of CGAL's, `vertex_index_map(m)`, is of CGAL's class, to which
+// A chain that starts with a parameter of CGAL's, `vertex_index_map(m)`, is of CGAL's class, to which
 // `.minimum_prominence(0.1)` cannot be chained. CGAL has no hook for that: the members are written by a list inside the
 // class. Another list earlier in the search path, a specialization of the class for CGAL's own tags, or an overload of
 // `vertex_index_map()` would change what CGAL's names mean in some translation units of a program only, which breaks

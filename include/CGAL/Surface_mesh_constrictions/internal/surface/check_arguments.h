@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <utility>
 
-// What is wrong with the arguments of a public function is said by one sentence: each check stops the compiler with it,
-// and is `false` then, so that the function can leave uninstantiated what would be reported beside it.
+// Checks of the arguments of public functions. A check that fails stops the compiler with one sentence, and returns
+// `false`, so that the function leaves code uninstantiated that would give further errors.
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
@@ -52,8 +52,8 @@ constexpr bool check_parameters()
   return check_chain<Known>(static_cast<const typename NamedParameters::self*>(nullptr));
 }
 
-// A FaceListGraph, or a MutableHalfedgeGraph. What is neither is told by functions: for some types the mere question
-// whether boost::graph_traits has a member is an error.
+// A FaceListGraph, or a MutableHalfedgeGraph. Functions tell whether a type is neither: for some types the mere
+// question whether boost::graph_traits has a member is an error.
 template <class Graph, class = void>
 constexpr bool has_faces = false;
 
@@ -70,8 +70,9 @@ template <class Mesh>
 constexpr bool check_mesh()
 {
   constexpr bool is_face_graph = has_faces<Mesh> || is_mutable_graph<std::remove_const_t<Mesh>>;
-  static_assert(is_face_graph, "the mesh is no model of FaceGraph, or the header with its boost::graph_traits is not "
-                               "included");
+  static_assert(is_face_graph,
+                "the mesh is not a model of FaceGraph, or the header with its boost::graph_traits is not "
+                "included");
   return is_face_graph;
 }
 
@@ -93,8 +94,9 @@ constexpr bool
 template <class OutputIterator, class Value>
 constexpr bool check_output()
 {
-  static_assert(takes<OutputIterator, Value>, "the output is no iterator that takes the results: for a container of "
-                                              "these give std::back_inserter(container)");
+  static_assert(takes<OutputIterator, Value>,
+                "the output is not an iterator that takes the results: for a container of "
+                "these pass std::back_inserter(container)");
   return takes<OutputIterator, Value>;
 }
 

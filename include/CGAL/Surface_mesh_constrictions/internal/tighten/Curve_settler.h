@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Tightens curves of a network to what they are returned as: closed geodesics, canonical in their flat band.
+// Tightens curves of a network to their final form: closed geodesics, canonical in their flat bands.
 class Curve_settler
 {
 public:

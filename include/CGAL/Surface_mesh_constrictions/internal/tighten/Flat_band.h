@@ -107,7 +107,7 @@ inline Band_end follow_flat_band(const Progressive_mesh& pm, std::vector<Arc> cu
   return Band_end{std::move(curve), width, false};
 }
 
-// What settle_flat_band() found.
+// The result of settle_flat_band().
 struct Band_report
 {
   double width = 0;      // of the band that holds the curve; 0 if there is none

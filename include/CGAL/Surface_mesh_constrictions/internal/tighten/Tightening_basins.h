@@ -15,17 +15,18 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Tightens curves one after the other, and finds out which of them end as the same curve. What a step of the tightening
-// does depends on the curve alone, so a curve that has become what an earlier one was on its way ends where that ended:
-// it is not tightened any further. Not every curve on the way is kept in mind, but one in eight, chosen by its hash:
-// two that have met pass the same ones soon.
+// Tightens curves one after the other, and finds out which of them end as the same curve. A step of the tightening
+// depends on the curve alone, so a curve that meets the way of an earlier one has the same end, and is not tightened
+// any further. Only one in eight curves on a way is remembered, chosen by its hash: two ways that have met soon pass
+// the same remembered curve.
 class Tightening_basins
 {
 public:
   Tightening_basins(Curve_network& network, Tightener& tightener) : m_network(network), m_tightener(tightener) {}
 
-  // Tightens a curve. Returns the earlier one that it ends as, or the curve itself if it is the first one to end so;
-  // null_index if it degenerates, and then it is left without arcs. Curves must be given in the order of their ids.
+  // Tightens a curve. Returns the earlier curve with the same end, or the curve itself if it is the first one with this
+  // end; null_index if it degenerates, and then it is left without arcs. Curves must be given in the order of their
+  // ids.
   Index tighten(Index c)
   {
     m_ends.resize(static_cast<std::size_t>(c) + 1, null_index);

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// What a group of closed paths ends as.
+// The ends of a group of closed paths.
 struct Ends_of_paths
 {
   struct End
@@ -38,10 +38,10 @@ struct Ends_of_paths
   std::vector<std::size_t> degenerate; // paths
 };
 
-// Tightens closed paths of edges of a surface, of which path_of(i) gives number i as a vector of vertices. Writes what
-// they end as into a network on the same surface, each once: the seeds of its curves are the numbers of the paths.
-// Returns the numbers of the paths that degenerate.
-// Cost: for each path that of tightening it until it is what another one of its group was on its way.
+// Tightens closed paths of edges of a surface; path_of(i) is number i as a vector of vertices. Writes the resulting
+// curves into a network on the same surface, each once: their seeds are the numbers of the paths. Returns the numbers
+// of the paths that degenerate. Cost: for each path that of tightening it until it meets the way of another one of its
+// group.
 template <class ConcurrencyTag, class PathOf>
 std::vector<std::size_t> tighten_paths(std::size_t number_of_paths, const PathOf& path_of, Curve_network& ends)
 {

@@ -27,7 +27,7 @@ namespace internal {
 // much the arc may be longer than CGAL's distance.
 constexpr double verification_tolerance = 1e-9;
 
-// What CGAL says of one arc of a curve.
+// The result of CGAL's search for one arc of a curve.
 struct Arc_verdict
 {
   Arc_refusal refusal;
