@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_string_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Side_angle.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/exact_arcs.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/foremost_corner.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Closed_strip.h>
@@ -58,7 +59,7 @@ public:
   // Costs what Certifier::examine() does if no correction is needed; what a step changes is examined anew, no more.
   Certificate settle(Curve_network& network, Index c)
   {
-    Exact_curve curve = exact_curve(arcs_of_curve(network, c));
+    Exact_curve curve = exact_arcs<Surface>(arcs_of_curve(network, c));
     std::vector<Known_of_arc> known(curve.size());
     Finding<Surface> finding = m_certifier.examine(curve, known);
     Sign_statistics signs = finding.certificate.signs;
@@ -102,18 +103,6 @@ public:
 
 private:
   static constexpr int max_corrections = 100000; // of one curve; far more than any needs
-
-  Exact_curve exact_curve(const std::vector<Arc>& arcs) const
-  {
-    Exact_curve result;
-    std::size_t location = 0;
-    for(const Arc& a : arcs)
-    {
-      result.push_back({a.from, a.to, a.along, {a.crossings.begin(), a.crossings.end()}, location});
-      location += 1 + a.crossings.size();
-    }
-    return result;
-  }
 
   std::vector<Arc> measured(const Exact_curve& curve) const
   {
