@@ -26,8 +26,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-struct Border_splitting_parameters
-  : Point_parameters::With<internal_np::edge_is_constrained_t, internal_np::visitor_t>
+struct Border_splitting_parameters : Point_parameters::With<internal_np::edge_is_constrained_t, internal_np::visitor_t>
 {};
 
 // What `split_along_label_borders()` does with arguments of the right kind.

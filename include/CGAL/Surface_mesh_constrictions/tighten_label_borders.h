@@ -157,7 +157,7 @@ tighten_label_borders_checked(const TriangleMesh& tm, FaceLabelMap labels, NewFa
     return result;
   };
   Label_border_tightener<TriangleMesh, std::decay_t<decltype(vpm)>, Label> tightener(imported, vpm, certifies, label,
-                                                                                      std::move(old_numbers));
+                                                                                     std::move(old_numbers));
   Tightened_labels<TriangleMesh, Label> result = tightener.tighten(prominences);
   for(Index f = 0; f < faces; ++f)
     put(new_labels, face_of(f), label[tightener.new_labels()[f]]);

@@ -7,9 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/exact/Certified_surface.h>
-#include <CGAL/Surface_mesh_constrictions/internal/exact/Certifier.h>
-#include <CGAL/Surface_mesh_constrictions/internal/exact/exact_arcs.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
@@ -26,13 +24,11 @@ namespace internal {
 template <class TriangleMesh, class VertexPointMap>
 class Held_path_tightener
 {
-  typedef Imported_surface<TriangleMesh, VertexPointMap> Surface;
-
 public:
   // `pm` is the mesh, taken over; `unit` and `angles` are its.
   Held_path_tightener(const Imported_mesh<TriangleMesh>& imported, const Progressive_mesh& pm, VertexPointMap vpm,
                       const Length_unit& unit, const Corner_angles& angles)
-    : m_network(pm, false), m_tightener(m_network, unit, &angles), m_surface(pm, imported, vpm), m_certifier(m_surface)
+    : m_network(pm, false), m_tightener(m_network, unit, &angles), m_exact_settler(pm, imported, vpm)
   {}
 
   // The arcs that a path ends as; none if it shrinks to the one vertex that it is held at. Linear in the lengths of the
@@ -56,21 +52,20 @@ public:
     arcs = arcs_of_curve(m_network, c);
     m_network.remove(c);
     std::size_t first = 0;
-    while(first < arcs.size() && !(arcs[first].from == path.front() &&
-                                   arcs[(first + arcs.size() - 1) % arcs.size()].to == path.back()))
+    while(first < arcs.size() &&
+          !(arcs[first].from == path.front() && arcs[(first + arcs.size() - 1) % arcs.size()].to == path.back()))
       ++first;
     std::rotate(arcs.begin(), arcs.begin() + static_cast<std::ptrdiff_t>(first), arcs.end());
     return arcs;
   }
 
-  // See `Certifier::examine_path()`.
-  Certificate certify(const std::vector<Arc>& arcs) { return m_certifier.examine_path(exact_arcs<Surface>(arcs)); }
+  // See `Exact_settler::settle_path()`.
+  Certificate settle(std::vector<Arc>& arcs) { return m_exact_settler.settle_path(arcs); }
 
 private:
   Curve_network m_network;
   Tightener m_tightener;
-  const Surface m_surface;
-  Certifier<Surface> m_certifier;
+  Exact_settler<TriangleMesh, VertexPointMap> m_exact_settler;
 };
 
 } // namespace internal

@@ -76,20 +76,17 @@ public:
     return result;
   }
 
-  // GEODESIC_ARC if arcs that fit together, from an end that is held to another one, are straight, with side angles of
-  // at least pi at each pivot between; else the first condition that is violated.
-  Certificate examine_path(const std::vector<Arc>& arcs)
+  // As above, of arcs from an end that is held to another one: GEODESIC_ARC if they are straight, with side angles of at
+  // least pi at each pivot between; else the first condition that is violated.
+  Finding<Surface> examine_path(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
   {
     const Sign_statistics before = m_prover.statistics();
-    std::vector<Known_of_arc> known(arcs.size());
-    Certificate result;
-    result.verdict = Certificate_verdict::GEODESIC_ARC;
     std::array<bool, 2> is_strict = {{false, false}};
-    if(const std::optional<Finding<Surface>> f = find_bent_arc(arcs, known))
-      result = f->certificate;
-    else if(const std::optional<Finding<Surface>> g = find_small_angle(arcs, 1, known, is_strict))
-      result = g->certificate;
-    result.signs = m_prover.statistics() - before;
+    std::optional<Finding<Surface>> defect = find_bent_arc(arcs, known);
+    if(!defect)
+      defect = find_small_angle(arcs, 1, known, is_strict);
+    Finding<Surface> result = defect ? *std::move(defect) : Finding<Surface>(Certificate_verdict::GEODESIC_ARC);
+    result.certificate.signs = m_prover.statistics() - before;
     return result;
   }
 

@@ -22,7 +22,7 @@ struct Border_courses
   typedef std::vector<typename Constriction<TriangleMesh>::Location> Course;
 
   bool is_closed;
-  Course tight; // empty if there is none
+  Course tight;  // empty if there is none
   double length; // of that
   Course old;    // empty if it is not to stay
 };

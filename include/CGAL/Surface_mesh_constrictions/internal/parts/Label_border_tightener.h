@@ -58,9 +58,8 @@ public:
     Result result;
     for(const Label_path& path : m_paths.paths())
       tighten_border(path, result);
-    const Arranger arranger(m_imported.mesh(), m_courses, [&](std::vector<std::size_t>& closed) {
-      put_foremost_first(closed, prominences, result);
-    });
+    const Arranger arranger(m_imported.mesh(), m_courses,
+                            [&](std::vector<std::size_t>& closed) { put_foremost_first(closed, prominences, result); });
     for(std::size_t i = 0; i < result.borders.size(); ++i)
       place(arranger, i, result.borders[i]);
 
@@ -133,30 +132,24 @@ private:
 
   void tighten_held(const std::vector<Index>& vertices, Border& border, Border_courses<TriangleMesh>& courses)
   {
-    const std::vector<Arc> arcs = m_held_tightener.tighten(vertices);
+    std::vector<Arc> arcs = m_held_tightener.tighten(vertices);
+    if(m_certifies && !arcs.empty())
+      border.certificate = m_held_tightener.settle(arcs);
     if(arcs.empty())
     {
       border.outcome = Label_border_outcome::DEGENERATE;
       return;
     }
     border.outcome = Label_border_outcome::GEODESIC_ARC;
-    if(m_certifies)
-      border.certificate = m_held_tightener.certify(arcs);
     for(const Trace_point& p : accurate_trace(m_pm, arcs))
       courses.tight.push_back(p.is_pivot() ? pivot(p.pivot) : crossing(p));
     courses.tight.push_back(pivot(vertices.back()));
     courses.length = total_length(arcs) * m_imported.unit();
   }
 
-  double edge_length(Index h) const
-  {
-    return norm(vector(m_pm.point(m_pm.source(h)), m_pm.point(m_pm.target(h))));
-  }
+  double edge_length(Index h) const { return norm(vector(m_pm.point(m_pm.source(h)), m_pm.point(m_pm.target(h)))); }
 
-  Location pivot(Index v) const
-  {
-    return {true, m_imported.vertex(v), typename Curve::halfedge_descriptor(), 0};
-  }
+  Location pivot(Index v) const { return {true, m_imported.vertex(v), typename Curve::halfedge_descriptor(), 0}; }
 
   Location crossing(const Trace_point& p) const
   {
