@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/Label_border.h>
 #include <CGAL/Surface_mesh_constrictions/Local_boundary_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Split_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Surface_part.h>
+#include <CGAL/Surface_mesh_constrictions/Tightened_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
 #include <CGAL/Surface_mesh_constrictions/boundary_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
@@ -43,7 +45,9 @@
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
 #include <CGAL/Surface_mesh_constrictions/split_along_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/split_along_label_borders.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/tighten_label_borders.h>
 #include <CGAL/Surface_mesh_constrictions/triangulate_with_face_map.h>
 #include <CGAL/Surface_mesh_constrictions/verify_with_shortest_paths.h>
 

@@ -4,6 +4,7 @@
 #include "compute/thread_limit.h"
 #include "input/curves_file.h"
 #include "input/input_file.h"
+#include "input/labels_file.h"
 #include "options.h"
 #include "output/certificates.h"
 #include "output/check_report.h"
@@ -50,43 +51,19 @@ void check_outputs(const Options& options)
 {
   if(!options.folder.empty())
     create_folder(options.folder);
-  if(options.command == Command::SEGMENT)
+  if(options.writes_parts())
     for(const char* name : {"parts.json", "parts.ply", "parts.vtp"})
       check_writable(options.file_in_folder(name));
   if(options.command == Command::VIEW)
     check_writable(options.page);
   if(!options.repaired.empty())
     check_writable(options.repaired);
+  if(!options.labels_file().empty())
+    check_writable(options.labels_file());
   for(const std::vector<std::string>& files :
       {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files(), options.csv_files()})
     for(const std::string& file : files)
       check_writable(file);
-}
-
-void write_outputs(const Options& options, const Report& report)
-{
-  std::vector<Output_file> files;
-  const bool wants_json = options.prints_json() || !options.json_files().empty();
-  const std::string json = wants_json ? report_as_json(report) : std::string();
-  for(const std::string& name : options.json_files())
-    files.push_back({name, json});
-  for(const std::string& name : options.polylines_files())
-    files.push_back({name, report_as_polylines(report)});
-  for(const std::string& name : options.ply_files())
-    files.push_back({name, report_as_ply(report)});
-  for(const std::string& name : options.vtp_files())
-    files.push_back({name, report_as_vtp(report)});
-  for(const std::string& name : options.csv_files())
-    files.push_back({name, report_as_csv(report)});
-  write_files(files);
-  if(!files.empty() && tells_results(options))
-    std::cerr << written_files_as_text(files) << result_as_text(report) << std::flush;
-  if(options.prints_json())
-    write_to_standard_output(json);
-  if(options.prints_csv())
-    write_to_standard_output(report_as_csv(report));
-  if(options.prints_table())
-    write_to_standard_output(report_as_table(report, options.is_verbose));
 }
 
 void detect_by_policy(const Options& options, const Selection& selection, Stage_monitor& monitor, Report& report,
@@ -133,6 +110,18 @@ void tighten(const Options& options, const Loops& loops, Stage_monitor& monitor,
   }
 }
 
+void tighten_borders(const Options& options, const std::vector<Label>& labels, Stage_monitor& monitor, Report& report)
+{
+  try
+  {
+    tighten_labels(labels, options.search.certifies, monitor, report);
+  }
+  catch(const Invalid_input& e)
+  {
+    throw with_hint(e, report.file);
+  }
+}
+
 void girth(const Options& options, Stage_monitor& monitor, Report& report)
 {
   try
@@ -145,7 +134,14 @@ void girth(const Options& options, Stage_monitor& monitor, Report& report)
   }
 }
 
-void write_parts(const Options& options, const Report& report, const Parts& parts)
+// The files of parts, and those of an earlier run that are to be removed.
+struct Part_files
+{
+  std::vector<Output_file> files;
+  std::vector<std::string> obsolete;
+};
+
+Part_files files_of_parts(const Options& options, const Report& report, const Parts& parts)
 {
   // parts.json is the last, as it says which files of parts there are
   std::vector<Output_file> files = {{options.file_in_folder("parts.ply"), mesh_as_ply(parts.mesh, parts.part_of_face)},
@@ -168,11 +164,52 @@ void write_parts(const Options& options, const Report& report, const Parts& part
   for(const std::string& name : part_files_of_earlier_run(options.folder))
     if(std::find(names.begin(), names.end(), name) == names.end())
       obsolete.push_back(options.file_in_folder(name));
-  write_files(files, obsolete);
+  return {files, obsolete};
+}
+
+void write_parts(const Options& options, const Report& report, const Parts& parts)
+{
+  const Part_files written = files_of_parts(options, report, parts);
+  write_files(written.files, written.obsolete);
   if(tells_results(options))
-    std::cerr << written_files_as_text(files) << std::flush;
+    std::cerr << written_files_as_text(written.files) << std::flush;
   if(!options.quiet)
     write_to_standard_output(parts_as_table(parts) + (report.hint.empty() ? "" : report.hint + '\n'));
+}
+
+void write_outputs(const Options& options, const Report& report)
+{
+  std::vector<Output_file> files;
+  const bool wants_json = options.prints_json() || !options.json_files().empty();
+  const std::string json = wants_json ? report_as_json(report) : std::string();
+  for(const std::string& name : options.json_files())
+    files.push_back({name, json});
+  for(const std::string& name : options.polylines_files())
+    files.push_back({name, report_as_polylines(report)});
+  for(const std::string& name : options.ply_files())
+    files.push_back({name, report_as_ply(report)});
+  for(const std::string& name : options.vtp_files())
+    files.push_back({name, report_as_vtp(report)});
+  for(const std::string& name : options.csv_files())
+    files.push_back({name, report_as_csv(report)});
+  std::vector<std::string> obsolete;
+  if(report.labelling && !options.folder.empty())
+  {
+    const Part_files parts = files_of_parts(options, report, cut_along_borders(report.mesh, *report.labelling));
+    files.push_back({options.labels_file(),
+                     labels_as_lines(labels_of_file(report.mesh, report.file.numbering, *report.labelling))});
+    files.insert(files.end(), parts.files.begin(), parts.files.end());
+    obsolete = parts.obsolete;
+  }
+  write_files(files, obsolete);
+  if(!files.empty() && tells_results(options))
+    std::cerr << written_files_as_text(files) << result_as_text(report) << std::flush;
+  if(options.prints_json())
+    write_to_standard_output(json);
+  if(options.prints_csv())
+    write_to_standard_output(report_as_csv(report));
+  if(options.prints_table())
+    write_to_standard_output(report_as_table(report, options.is_verbose));
 }
 
 // Of the curves of a page that are shown at first.
@@ -234,14 +271,19 @@ void run(const Options& options)
   report.mesh = read_mesh_file(options.mesh, options.reading, report.file);
   report.seconds.read = seconds_since(begin);
   Loops loops;
-  if(options.command == Command::TIGHTEN)
+  std::vector<Label> labels;
+  if(!options.labels.empty())
+    labels = read_labels_file(options.labels, report.file.numbering.faces);
+  else if(options.command == Command::TIGHTEN)
     loops = read_loops_file(options.loops, report.mesh, report.file.numbering);
   check_outputs(options);
 
   Levels levels;
   {
     Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
-    if(options.command == Command::TIGHTEN)
+    if(!options.labels.empty())
+      tighten_borders(options, labels, monitor, report);
+    else if(options.command == Command::TIGHTEN)
       tighten(options, loops, monitor, report);
     else if(options.command == Command::GIRTH)
       girth(options, monitor, report);

@@ -51,6 +51,8 @@ const char* const examples =
     "not\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
+    "  constrictions tighten bone.ply --labels parts.txt -o result\n"
+    "      makes the borders of your own parts, given as a number for each face, as short as they can be\n"
     "  constrictions segment bone.ply -o parts --side object\n"
     "      cuts the surface at its necks; writes parts/parts.ply, parts/parts.json and parts/part_0.ply ...\n"
     "  constrictions view bone.ply -o bone.html\n"
@@ -474,21 +476,23 @@ void check_bounds(const Selection& selection)
 void check_files(const Options& options)
 {
   std::vector<std::string> names = {options.mesh == "-" ? "/dev/stdin" : options.mesh};
-  for(const std::string& name : {options.loops, options.curves})
+  for(const std::string& name : {options.loops, options.labels, options.curves})
     if(!name.empty())
       names.push_back(name);
   const std::size_t inputs = names.size();
   for(const std::vector<std::string>& files :
       {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files(), options.csv_files()})
     names.insert(names.end(), files.begin(), files.end());
-  for(const std::string& name : {options.page, options.repaired})
+  for(const std::string& name : {options.page, options.repaired, options.labels_file()})
     if(!name.empty())
       names.push_back(name);
 
   if(options.prints_json() && options.prints_csv())
     throw CLI::ValidationError("--csv", "--json writes to the standard output, too");
-  if(options.command == Command::SEGMENT && is_part_file(options.mesh, options.folder))
-    throw CLI::ValidationError(options.mesh, "the output could overwrite the input");
+  if(options.writes_parts())
+    for(const std::string& name : {options.mesh, options.labels})
+      if(!name.empty() && is_part_file(name, options.folder))
+        throw CLI::ValidationError(name, "the output could overwrite the input");
 
   std::vector<fs::path> places;
   for(const std::string& name : names)
@@ -529,6 +533,11 @@ std::vector<std::string> Options::ply_files() const { return files(*this, "const
 
 std::vector<std::string> Options::vtp_files() const { return files(*this, "constrictions.vtp", ""); }
 
+std::string Options::labels_file() const
+{
+  return labels.empty() || folder.empty() ? std::string() : file_in_folder("labels.txt");
+}
+
 std::vector<std::string> Options::csv_files() const
 {
   return csv.empty() || prints_csv() ? std::vector<std::string>() : std::vector<std::string>{csv};
@@ -554,14 +563,22 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   add_common_options(girth, options);
   add_girth_options(girth, options.girth);
 
-  CLI::App& tighten = *app.add_subcommand("tighten", "shorten given loops until they are constrictions");
+  CLI::App& tighten = *app.add_subcommand(
+      "tighten", "shorten given loops, or the borders of given parts, until they are constrictions");
   add_common_options(tighten, options);
   tighten
       .add_option("--loops", options.loops,
                   "closed loops of mesh edges, one a line: vertex numbers counted from 0 and separated by blanks, the "
                   "first not repeated; lines that start with # are skipped")
       ->type_name("FILE")
-      ->required()
+      ->check(not_empty);
+  tighten
+      .add_option("--labels", options.labels,
+                  "instead of loops, the borders between parts: a label for each face of the mesh, a whole number on "
+                  "each line. Borders that meet where there are three labels are held there. With -o the new labels "
+                  "are written into DIR/labels.txt, and the parts as segment does")
+      ->type_name("FILE")
+      ->excludes("--loops")
       ->check(not_empty);
 
   CLI::App& certify = *app.add_subcommand("certify", "prove that given curves are constrictions");
@@ -612,6 +629,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
       options.segmentation.side = side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
                                                    : CGAL::Surface_mesh_constrictions::Side::COMPLEMENT;
     check_bounds(options.selection);
+    if(tighten.parsed() && options.loops.empty() && options.labels.empty())
+      throw CLI::RequiredError("--loops or --labels");
     if(options.command != Command::BATCH) // whose folder has files of other names
       check_files(options);
   }

@@ -89,6 +89,7 @@ struct Options
   Command command = Command::DETECT;
   std::string mesh;
   std::string loops;
+  std::string labels;
   std::string curves;
   std::string folder;
   std::string json; ///< "-" is the standard output
@@ -107,6 +108,9 @@ struct Options
   bool quiet = false;
   bool is_verbose = false;
 
+  /// whether meshes of parts are written into the folder
+  bool writes_parts() const { return command == Command::SEGMENT || (!labels.empty() && !folder.empty()); }
+
   bool prints_json() const { return json == "-"; }
   bool prints_csv() const { return csv == "-"; }
   bool prints_table() const { return folder.empty() && json.empty() && polylines.empty() && csv.empty(); }
@@ -116,6 +120,9 @@ struct Options
   std::vector<std::string> ply_files() const;
   std::vector<std::string> vtp_files() const;
   std::vector<std::string> csv_files() const;
+
+  /// of the new labels
+  std::string labels_file() const;
 
   /// the file of this name in the folder
   std::string file_in_folder(const std::string& name) const;

@@ -29,7 +29,8 @@ enum class Certificate_verdict
   ANGLE_BELOW_PI,      ///< a side angle at a pivot is less than pi
   CROSSES_ITSELF,      ///< a closed geodesic that crosses itself
   TOUCHES_ITSELF,      ///< a closed geodesic that passes through a vertex twice without crossing itself there
-  TIE_NOT_PROVED       ///< a number stayed around zero and could not be proved to be zero
+  TIE_NOT_PROVED,      ///< a number stayed around zero and could not be proved to be zero
+  GEODESIC_ARC         ///< an open curve that is straight, with side angles of at least pi, between its held ends
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -85,8 +86,8 @@ struct Certificate
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// writes the verdict as one line: `strict_constriction`, `constriction`, or `not_certified: ` and the reason with its
-/// place.
+/// writes the verdict as one line: `strict_constriction`, `constriction`, `geodesic_arc`, or `not_certified: ` and the
+/// reason with its place.
 inline std::ostream& operator<<(std::ostream& out, const Certificate& c)
 {
   const char* const side = c.side == Curve_side::LEFT ? "left" : "right";
@@ -113,6 +114,8 @@ inline std::ostream& operator<<(std::ostream& out, const Certificate& c)
                << " are the same vertex";
   case Certificate_verdict::TIE_NOT_PROVED:
     return out << "not_certified: tie not proved at point " << c.location;
+  case Certificate_verdict::GEODESIC_ARC:
+    return out << "geodesic_arc";
   default:
     return out << "not_certified: no exact certificate has been computed";
   }

@@ -2,21 +2,13 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_TIGHTEN_CLOSED_CURVE_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_TIGHTEN_CLOSED_CURVE_H
 
-#include <CGAL/Surface_mesh_constrictions/Certificate.h>
-#include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
-#include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
+#include <CGAL/Surface_mesh_constrictions/Tightened_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/Closed_path_tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_loop.h>
-#include <CGAL/Surface_mesh_constrictions/internal/tighten/Curve_settler.h>
-#include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Iterator_range.h>
@@ -33,34 +25,7 @@
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 
-/// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The result of tightening a loop.
-template <class TriangleMesh>
-struct Tightened_curve
-{
-  Tightening_verdict verdict;       ///< how it ended
-  Constriction<TriangleMesh> curve; ///< empty unless the verdict is `CLOSED_GEODESIC`
-};
-
 namespace internal {
-
-// What an exactly certified curve has been tightened to.
-inline Tightening_verdict tightening_verdict(const Certificate& certificate, bool is_degenerate)
-{
-  if(is_degenerate)
-    return Tightening_verdict::DEGENERATE;
-  switch(certificate.verdict)
-  {
-  case Certificate_verdict::STRICT_CONSTRICTION:
-  case Certificate_verdict::CONSTRICTION:
-    return Tightening_verdict::CLOSED_GEODESIC;
-  case Certificate_verdict::CROSSES_ITSELF:
-  case Certificate_verdict::TOUCHES_ITSELF:
-    return Tightening_verdict::NOT_SIMPLE;
-  default:
-    return Tightening_verdict::NOT_CERTIFIED;
-  }
-}
 
 struct Tightening_parameters : Mesh_parameters::With<internal_np::certify_t>
 {};
@@ -148,34 +113,15 @@ OutputIterator tighten_closed_curves_checked(const TriangleMesh& tm, const LoopR
   for(Index v = 0; v < imported.number_of_vertices(); ++v)
     index.emplace(get(vim, imported.vertex(v)), v);
 
-  internal::Curve_network network(pm, false);
-  const internal::Corner_angles angles(pm);
-  internal::Curve_settler settler(network, internal::Length_unit(pm), angles);
-  internal::Exact_settler<TriangleMesh, std::decay_t<decltype(vpm)>> exact_settler(pm, imported, vpm);
-  const internal::Surface_sides sides(pm);
-  internal::Constriction_maker<TriangleMesh> maker(imported, pm, sides);
+  internal::Closed_path_tightener<TriangleMesh, std::decay_t<decltype(vpm)>> tightener(imported, pm, vpm, certifies);
   std::size_t number = 0;
   for(const auto& loop : loops)
   {
-    Seed_curve seed = {0, {}, Seed_origin::USER};
+    std::vector<Index> path;
     for(const auto& v : loop)
-      seed.vertices.push_back(index.at(get(vim, v)));
-    internal::check_loop(pm, seed.vertices, number);
-    const Index c = network.add_curve(number, seed.vertices);
-    Tightened_curve<TriangleMesh> result;
-    result.verdict = settler.settle(c);
-    double band_width = settler.band_width();
-    Certificate certificate;
-    if(certifies && !network.is_empty(c))
-    {
-      certificate = exact_settler.settle(network, c);
-      band_width = imported.unit().divided(certificate.flat_band_width);
-      result.verdict = internal::tightening_verdict(certificate, network.is_empty(c));
-    }
-    if(result.verdict == Tightening_verdict::CLOSED_GEODESIC)
-      result.curve = maker.make(network, c, std::vector<Seed_curve>{seed}, band_width, certificate);
-    network.remove(c);
-    *out++ = result;
+      path.push_back(index.at(get(vim, v)));
+    internal::check_loop(pm, path, number);
+    *out++ = tightener.tighten(std::move(path));
     ++number;
   }
   return out;

@@ -5,6 +5,7 @@
 #include "compute/levels.h"
 #include "compute/stage_monitor.h"
 #include "input/curves_file.h"
+#include "input/labels_file.h"
 #include "input/loops_file.h"
 #include "options.h"
 #include "output/certificates.h"
@@ -33,6 +34,10 @@ std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Select
 /// tightens the loops; fills the constrictions, the statistics and the remarks of the report.
 void tighten_loops(const Loops& loops, bool certifies, Stage_monitor& monitor, Report& report);
 
+/// tightens the borders between labels, of which there is one for each face of the file; fills the labelling, the
+/// constrictions and the statistics of the report.
+void tighten_labels(const std::vector<Label>& labels, bool certifies, Stage_monitor& monitor, Report& report);
+
 /// finds the shortest loops at a place; fills the loops, the curves and the statistics of the report.
 void find_girth(const Girth& girth, bool certifies, Stage_monitor& monitor, Report& report);
 
@@ -41,6 +46,9 @@ std::vector<Certified_curve> certify_curves(const Mesh& mesh, const Curves& curv
 
 /// cuts the mesh along those of the constrictions that are chosen; everything but the time.
 Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constrictions, const Segmentation& segmentation);
+
+/// cuts the mesh along the borders between labels; everything but the time.
+Parts cut_along_borders(const Mesh& mesh, const Labelling& labelling);
 
 /// everything that is wrong with a mesh file. Throws `Input_file_error` for a file that cannot be read.
 Check_report check_mesh(const std::string& name, const Reading& reading);

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/extract_parts.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/split_along_constrictions.h>
+#include <CGAL/Surface_mesh_constrictions/split_along_label_borders.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -119,17 +120,17 @@ std::vector<std::size_t> curves_at(const SMC::Part_cap<Mesh>& cap, const Mesh& m
   return {result.begin(), result.end()};
 }
 
-} // namespace
-
-Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constrictions, const Segmentation& segmentation)
+// The parts between curves. split(marks, visitor, mesh) splits the mesh along them.
+template <class Split>
+Parts parts_of_split(const Mesh& mesh, bool is_open, const Split& split)
 {
   Parts result;
   result.mesh = mesh;
   const Marks marks = result.mesh.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
   Ancestry ancestry;
   ancestry.old_face.assign(mesh.faces().begin(), mesh.faces().end());
-  const SMC::Split_curves<Mesh> curves =
-      split(constrictions, segmentation, marks, Ancestry_visitor(ancestry), result.mesh);
+  const SMC::Split_curves<Mesh> curves = split(marks, Ancestry_visitor(ancestry), result.mesh);
+  const std::size_t number_of_curves = curves.outcomes.size();
   result.outcomes = curves.outcomes;
 
   result.part_of_face.resize(result.mesh.num_faces());
@@ -143,24 +144,24 @@ Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constricti
   double volume = 0;
   for(std::size_t p = 0; p < open.size(); ++p)
   {
-    result.parts.push_back(measured_part(open[p], std::move(closed[p]), segmentation.open));
+    result.parts.push_back(measured_part(open[p], std::move(closed[p]), is_open));
     if(!std::isnan(result.parts.back().volume))
       volume += result.parts.back().volume;
   }
   for(Part& part : result.parts)
     part.is_cavity = part.volume * volume < 0;
   std::map<Mesh::Edge_index, std::vector<std::size_t>> curves_of_edge;
-  for(std::size_t c = 0; c < constrictions.size(); ++c)
+  for(std::size_t c = 0; c < number_of_curves; ++c)
     for(Mesh::Halfedge_index h : curves.halfedges[c])
       curves_of_edge[result.mesh.edge(h)].push_back(c);
   for(const SMC::Part_cap<Mesh>& c : caps)
     result.parts[c.part].caps.push_back({curves_at(c, result.mesh, curves_of_edge), c.intersects_part});
 
-  for(std::size_t c = 0; c < constrictions.size(); ++c)
+  for(std::size_t c = 0; c < number_of_curves; ++c)
   {
     std::map<std::array<std::size_t, 2>, double> lengths;
     for(Mesh::Halfedge_index h : curves.halfedges[c])
-      if(!result.mesh.is_border(result.mesh.edge(h))) // along a hole a part ends
+      if(!result.mesh.is_border(result.mesh.edge(h)) && marks[result.mesh.edge(h)]) // along a hole a part ends
         lengths[{{result.part_of_face[result.mesh.face(h)],
                   result.part_of_face[result.mesh.face(result.mesh.opposite(h))]}}] += PMP::edge_length(h, result.mesh);
     for(const auto& [parts, length] : lengths)
@@ -174,6 +175,32 @@ Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constricti
   for(const std::map<std::size_t, double>& s : shares)
     result.part_of_input_face.push_back(
         std::max_element(s.begin(), s.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first);
+  return result;
+}
+
+} // namespace
+
+Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constrictions, const Segmentation& segmentation)
+{
+  return parts_of_split(mesh, segmentation.open, [&](const Marks& marks, const Ancestry_visitor& visitor, Mesh& copy) {
+    return split(constrictions, segmentation, marks, visitor, copy);
+  });
+}
+
+Parts cut_along_borders(const Mesh& mesh, const Labelling& labelling)
+{
+  Parts result = parts_of_split(mesh, false, [&](const Marks& marks, const Ancestry_visitor& visitor, Mesh& copy) {
+    return SMC::split_along_label_borders(copy, labelling.tightened.borders,
+                                          CGAL::parameters::edge_is_constrained_map(marks).visitor(visitor));
+  });
+  // the label of most of a part
+  std::vector<std::map<Label, double>> areas(result.parts.size());
+  for(std::size_t f = 0; f < result.area_of_input_face.size(); ++f)
+    for(const auto& [part, area] : result.area_of_input_face[f])
+      areas[part][labelling.labels[f]] += area;
+  for(const std::map<Label, double>& a : areas)
+    result.labels.push_back(
+        std::max_element(a.begin(), a.end(), [](const auto& x, const auto& y) { return x.second < y.second; })->first);
   return result;
 }
 

@@ -29,14 +29,18 @@ std::vector<Constriction::Face_location> locations_of_curve(const Report& report
 {
   if(report.is_girth)
     return report.loops[id].locations;
-  const Constriction& c = report.constrictions[id];
+  return locations_of_curve(report.mesh, report.constrictions[id]);
+}
+
+std::vector<Constriction::Face_location> locations_of_curve(const Mesh& mesh, const Constriction& c)
+{
   std::vector<Constriction::Face_location> result;
-  c.face_locations(report.mesh, std::back_inserter(result));
+  c.face_locations(mesh, std::back_inserter(result));
   for(std::size_t i = 0; i < result.size(); ++i)
   {
-    Mesh::Halfedge_index h = report.mesh.halfedge(result[i].first);
-    for(std::size_t corner = 0; corner < 3 && !c.locations()[i].is_pivot; ++corner, h = report.mesh.next(h))
-      if(h == c.locations()[i].halfedge || report.mesh.prev(h) == c.locations()[i].halfedge)
+    Mesh::Halfedge_index h = mesh.halfedge(result[i].first);
+    for(std::size_t corner = 0; corner < 3 && !c.locations()[i].is_pivot; ++corner, h = mesh.next(h))
+      if(h == c.locations()[i].halfedge || mesh.prev(h) == c.locations()[i].halfedge)
         result[i].second[corner] = (std::max)(result[i].second[corner], (std::numeric_limits<double>::min)());
   }
   return result;

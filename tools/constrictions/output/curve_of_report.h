@@ -17,6 +17,9 @@ std::vector<Mesh::Point> points_of_curve(const Report& report, std::size_t id);
 /// its edge is given beside it, so that its edge can be told from the numbers.
 std::vector<Constriction::Face_location> locations_of_curve(const Report& report, std::size_t id);
 
+/// as above, of any curve on the mesh
+std::vector<Constriction::Face_location> locations_of_curve(const Mesh& mesh, const Constriction& curve);
+
 /// whether these points are vertices that the curve passes through
 std::vector<bool> pivots_of_curve(const Report& report, std::size_t id);
 

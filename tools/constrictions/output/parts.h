@@ -40,10 +40,11 @@ struct Parts
   Mesh mesh;                             ///< split, so that the curves run along edges
   std::vector<std::size_t> part_of_face; ///< of that mesh, by the index of the face
   std::vector<Part> parts;
+  std::vector<Label> labels;                   ///< of the parts, if these are those of labels; else empty
   std::vector<std::size_t> part_of_input_face; ///< by face of the input mesh, the part in which most of it lies
   std::vector<std::map<std::size_t, double>> area_of_input_face; ///< in each part
   std::vector<CGAL::Surface_mesh_constrictions::Part_adjacency> adjacencies;
-  std::vector<CGAL::Surface_mesh_constrictions::Cut_outcome> outcomes; ///< one for each constriction of the report
+  std::vector<CGAL::Surface_mesh_constrictions::Cut_outcome> outcomes; ///< one for each constriction or border
   double seconds = 0;
   Part_format format = Part_format::PLY; ///< of the files of the parts
 };

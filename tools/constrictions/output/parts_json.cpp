@@ -55,6 +55,7 @@ std::string parts_as_json(const Report& report, const Parts& parts)
 {
   Json part_list = Json::array(), adjacencies = Json::array(), curves = Json::array();
   for(std::size_t p = 0; p < parts.parts.size(); ++p)
+  {
     part_list.push_back({{"id", p},
                          {"file", part_file_name(p, parts.format)},
                          {"area", parts.parts[p].area},
@@ -63,11 +64,15 @@ std::string parts_as_json(const Report& report, const Parts& parts)
                          {"boundaries", parts.parts[p].boundaries},
                          {"cavity", parts.parts[p].is_cavity},
                          {"caps", caps_as_json(parts.parts[p])}});
+    if(!parts.labels.empty())
+      part_list.back()["label"] = parts.labels[p];
+  }
   for(const auto& a : parts.adjacencies)
     adjacencies.push_back({{"curve", a.curve}, {"parts", a.parts}, {"length", a.length}});
-  for(std::size_t c = 0; c < report.constrictions.size(); ++c)
+  for(std::size_t c = 0; c < parts.outcomes.size(); ++c)
   {
-    const Constriction& curve = report.constrictions[c];
+    const Constriction curve =
+        report.labelling ? curve_of_border(report.labelling->tightened.borders[c]) : report.constrictions[c];
     const auto& outcome = parts.outcomes[c];
     const bool crosses = outcome.crossed_curve != CGAL::Surface_mesh_constrictions::Cut_outcome::none;
     curves.push_back({{"id", c},

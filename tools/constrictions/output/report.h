@@ -3,11 +3,13 @@
 #define CONSTRICTIONS_REPORT_H
 
 #include "input/mesh_file.h"
+#include "output/labelling.h"
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,7 @@ struct Report
   std::vector<Constriction> constrictions;
   std::vector<Geodesic_loop> loops; ///< of `girth`, one for each of the above; else empty
   bool is_girth = false;
+  std::optional<Labelling> labelling; ///< of `tighten` with labels
   CGAL::Surface_mesh_constrictions::Detection_statistics statistics;
   Stage_seconds seconds;
   std::vector<std::string> remarks; ///< lines about loops of the user that did not become constrictions

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output/report.h"
 
+#include "output/certificates.h"
 #include "output/curve_of_report.h"
 #include "output/mesh_json.h"
 
@@ -10,6 +11,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -144,6 +147,48 @@ Json curve_as_json(const Report& report, std::size_t id)
   return result;
 }
 
+Json border_as_json(const Report& report, std::size_t id)
+{
+  const Label_border& b = report.labelling->tightened.borders[id];
+  const std::size_t constriction = report.labelling->constriction[id];
+  const Constriction curve = curve_of_border(b);
+  std::vector<Mesh::Point> points;
+  b.points(report.mesh, std::back_inserter(points));
+  Json old_vertices = Json::array();
+  for(Mesh::Vertex_index v : b.old_vertices)
+    old_vertices.push_back(report.file.numbering.vertex_of(v));
+  return {{"id", id},
+          {"labels", b.labels},
+          {"closed", b.is_closed},
+          {"outcome", outcome_name(b.outcome)},
+          {"certificate", certificate_as_text(b.certificate)},
+          {"constriction", constriction != Labelling::none ? Json(constriction) : Json()},
+          {"crosses", b.crossed_border ? Json(*b.crossed_border) : Json()},
+          {"prominence", b.prominence}, // null if it is not a number
+          {"vanishing_label", b.vanishing_label ? Json(*b.vanishing_label) : Json()},
+          {"old_length", b.old_length},
+          {"length", b.length},
+          {"old_vertices", old_vertices},
+          {"points", points_as_json(points)},
+          {"locations", locations_as_json(locations_of_curve(report.mesh, curve), report.mesh, report.file.numbering)}};
+}
+
+// The borders, the parts between them, and the labels of the faces of the file.
+void add_labelling(const Report& report, Json& json)
+{
+  const auto& tightened = report.labelling->tightened;
+  Json borders = Json::array(), parts = Json::array(), labels = Json::array();
+  for(std::size_t id = 0; id < tightened.borders.size(); ++id)
+    borders.push_back(border_as_json(report, id));
+  for(std::size_t p = 0; p < tightened.parts.size(); ++p)
+    parts.push_back({{"label", tightened.labels[p]}, {"area", tightened.parts[p].area}});
+  for(const std::optional<Label>& l : labels_of_file(report.mesh, report.file.numbering, *report.labelling))
+    labels.push_back(l ? Json(*l) : Json());
+  json["borders"] = std::move(borders);
+  json["label_parts"] = std::move(parts);
+  json["face_labels"] = std::move(labels);
+}
+
 } // namespace
 
 std::string report_as_json(const Report& report)
@@ -154,32 +199,34 @@ std::string report_as_json(const Report& report)
 
   const SMC::Detection_statistics& s = report.statistics;
   const Stage_seconds& t = report.seconds;
-  const Json json = {{"format", "constrictions/1"},
-                     {"mesh", mesh_as_json(report.mesh_file, report.mesh, report.file)},
-                     {"constrictions", constrictions},
-                     {"statistics",
-                      {{"collapses", s.collapses},
-                       {"seeds", s.seeds},
-                       {"degenerate", s.degenerate},
-                       {"discarded", s.discarded},
-                       {"merged", s.merged},
-                       {"not_simple", s.not_simple},
-                       {"leaky_bands", s.leaky_bands},
-                       {"barriers", s.barriers},
-                       {"not_certified", s.not_certified},
-                       {"not_selected", s.not_selected},
-                       {"corrected", s.corrected},
-                       {"signs", signs_as_json(s.signs)}}},
-                     {"seconds",
-                      {{"read", t.read},
-                       {"simplify", t.simplify},
-                       {"seeds", t.seeds},
-                       {"refine", t.refine},
-                       {"tighten", t.tighten},
-                       {"certify", t.certify},
-                       {"select", t.select},
-                       {"total", t.total}}},
-                     {"peak_rss_bytes", peak_rss_bytes()}};
+  Json json = {{"format", "constrictions/1"},
+               {"mesh", mesh_as_json(report.mesh_file, report.mesh, report.file)},
+               {"constrictions", constrictions},
+               {"statistics",
+                {{"collapses", s.collapses},
+                 {"seeds", s.seeds},
+                 {"degenerate", s.degenerate},
+                 {"discarded", s.discarded},
+                 {"merged", s.merged},
+                 {"not_simple", s.not_simple},
+                 {"leaky_bands", s.leaky_bands},
+                 {"barriers", s.barriers},
+                 {"not_certified", s.not_certified},
+                 {"not_selected", s.not_selected},
+                 {"corrected", s.corrected},
+                 {"signs", signs_as_json(s.signs)}}},
+               {"seconds",
+                {{"read", t.read},
+                 {"simplify", t.simplify},
+                 {"seeds", t.seeds},
+                 {"refine", t.refine},
+                 {"tighten", t.tighten},
+                 {"certify", t.certify},
+                 {"select", t.select},
+                 {"total", t.total}}},
+               {"peak_rss_bytes", peak_rss_bytes()}};
+  if(report.labelling)
+    add_labelling(report, json);
   // a file name need not be UTF-8, JSON must be
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

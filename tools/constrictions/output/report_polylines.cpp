@@ -4,8 +4,11 @@
 #include "output/curve_of_report.h"
 
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace constrictions {
 
@@ -22,6 +25,17 @@ std::string report_as_polylines(const Report& report)
       out << ' ' << p;
     out << '\n';
   }
+  if(report.labelling)
+    for(const Label_border& border : report.labelling->tightened.borders)
+      if(!border.is_closed && !border.locations.empty())
+      {
+        std::vector<Mesh::Point> points;
+        border.points(report.mesh, std::back_inserter(points));
+        out << points.size();
+        for(const Mesh::Point& p : points)
+          out << ' ' << p;
+        out << '\n';
+      }
   return out.str();
 }
 

@@ -126,6 +126,11 @@ std::string report_as_table(const Report& report, bool is_verbose)
   for(const std::string& remark : report.remarks)
     out << remark << '\n';
 
+  if(report.labelling)
+  {
+    out << borders_as_table(*report.labelling);
+    return out.str();
+  }
   const std::size_t n = report.constrictions.size();
   const auto& s = report.statistics;
   if(report.is_girth)

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/boundary_share.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/curve_measures.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/Closed_path_tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/held_loops.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
@@ -25,7 +26,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Flat_band.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
-#include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -71,6 +72,20 @@ public:
   {
     const Sign_statistics before = m_prover.statistics();
     Finding<Surface> result = find(arcs, known);
+    result.certificate.signs = m_prover.statistics() - before;
+    return result;
+  }
+
+  // As above, of arcs from an end that is held to another one: GEODESIC_ARC if they are straight, with side angles of at
+  // least pi at each pivot between; else the first condition that is violated.
+  Finding<Surface> examine_path(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
+  {
+    const Sign_statistics before = m_prover.statistics();
+    std::array<bool, 2> is_strict = {{false, false}};
+    std::optional<Finding<Surface>> defect = find_bent_arc(arcs, known);
+    if(!defect)
+      defect = find_small_angle(arcs, 1, known, is_strict);
+    Finding<Surface> result = defect ? *std::move(defect) : Finding<Surface>(Certificate_verdict::GEODESIC_ARC);
     result.certificate.signs = m_prover.statistics() - before;
     return result;
   }
@@ -154,7 +169,8 @@ public:
   }
 
 private:
-  Finding<Surface> find(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
+  // What is wrong with the first arc that is not straight.
+  std::optional<Finding<Surface>> find_bent_arc(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
   {
     for(std::size_t i = 0; i < arcs.size(); ++i)
     {
@@ -165,9 +181,15 @@ private:
         return f;
       known[i].is_straight = true;
     }
+    return std::nullopt;
+  }
 
-    bool is_strict[2] = {false, false};
-    for(std::size_t i = 0; i < arcs.size(); ++i)
+  // The first side angle that is not proved to be at least pi, of the pivots where arcs from number `first` on start;
+  // on which sides one is proved to be more.
+  std::optional<Finding<Surface>> find_small_angle(const std::vector<Arc>& arcs, std::size_t first,
+                                                   std::vector<Known_of_arc>& known, std::array<bool, 2>& is_strict)
+  {
+    for(std::size_t i = first; i < arcs.size(); ++i)
     {
       examine_pivot(arcs, i, known);
       for(Curve_side side : {Curve_side::LEFT, Curve_side::RIGHT})
@@ -188,6 +210,16 @@ private:
         }
       }
     }
+    return std::nullopt;
+  }
+
+  Finding<Surface> find(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
+  {
+    if(std::optional<Finding<Surface>> bent = find_bent_arc(arcs, known))
+      return *std::move(bent);
+    std::array<bool, 2> is_strict = {{false, false}};
+    if(std::optional<Finding<Surface>> sharp = find_small_angle(arcs, 0, known, is_strict))
+      return *std::move(sharp);
 
     const auto meeting = Exact_simplicity<Surface>(m_prover, arcs).find();
     if(meeting.verdict != Certificate_verdict::NOT_COMPUTED)

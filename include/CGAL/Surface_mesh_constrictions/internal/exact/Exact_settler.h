@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_string_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Side_angle.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/exact_arcs.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/foremost_corner.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Closed_strip.h>
@@ -58,7 +59,7 @@ public:
   // Costs what Certifier::examine() does if no correction is needed; what a step changes is examined anew, no more.
   Certificate settle(Curve_network& network, Index c)
   {
-    Exact_curve curve = exact_curve(arcs_of_curve(network, c));
+    Exact_curve curve = exact_arcs<Surface>(arcs_of_curve(network, c));
     std::vector<Known_of_arc> known(curve.size());
     Finding<Surface> finding = m_certifier.examine(curve, known);
     Sign_statistics signs = finding.certificate.signs;
@@ -97,23 +98,36 @@ public:
     return result;
   }
 
+  // The certificate of a path that is held at its ends, after its correction. The path has no arcs if it shrinks to the
+  // one pivot that it is held at. Costs what settle() does.
+  Certificate settle_path(std::vector<Arc>& path)
+  {
+    Exact_curve curve = exact_arcs<Surface>(path);
+    std::vector<Known_of_arc> known(curve.size());
+    Finding<Surface> finding = m_certifier.examine_path(curve, known);
+    Sign_statistics signs = finding.certificate.signs;
+    const Sign_statistics before = m_certifier.prover().statistics();
+    bool is_changed = false;
+    for(int step = 0; step < max_corrections && correct_path(curve, known, finding); ++step)
+    {
+      is_changed = true;
+      if(curve.empty())
+        break;
+      renumber(curve);
+      finding = m_certifier.examine_path(curve, known);
+    }
+    if(is_changed)
+      path = measured(curve);
+    Certificate result = curve.empty() ? Certificate() : finding.certificate;
+    result.signs = signs + (m_certifier.prover().statistics() - before);
+    return result;
+  }
+
   // how many curves rounding had led astray, without those that degenerate when they are corrected
   std::size_t number_of_corrections() const { return m_corrected; }
 
 private:
   static constexpr int max_corrections = 100000; // of one curve; far more than any needs
-
-  Exact_curve exact_curve(const std::vector<Arc>& arcs) const
-  {
-    Exact_curve result;
-    std::size_t location = 0;
-    for(const Arc& a : arcs)
-    {
-      result.push_back({a.from, a.to, a.along, {a.crossings.begin(), a.crossings.end()}, location});
-      location += 1 + a.crossings.size();
-    }
-    return result;
-  }
 
   std::vector<Arc> measured(const Exact_curve& curve) const
   {
@@ -165,6 +179,26 @@ private:
     }
   }
 
+  // One step. False if there is nothing to correct, or no way.
+  bool correct_path(Exact_curve& path, std::vector<Known_of_arc>& known, const Finding<Surface>& finding)
+  {
+    if(finding.certificate.verdict == Certificate_verdict::ANGLE_BELOW_PI)
+    {
+      // the start is held, whatever its angles
+      known[0].has_angles = true;
+      known[0].beyond_pi = {{Proved_sign::POSITIVE, Proved_sign::POSITIVE}};
+      return lead_around_pivots(path, known, true);
+    }
+    if(finding.certificate.verdict != Certificate_verdict::NOT_STRAIGHT)
+      return false;
+    const Exact bent = path[finding.arc];
+    Exact_curve pulled;
+    if(!pull(bent.from, bent.crossings, bent.to, pulled))
+      return false;
+    replace(path, known, finding.arc, 1, pulled);
+    return true;
+  }
+
   // Numbers the arcs' locations anew.
   static void renumber(Exact_curve& curve)
   {
@@ -183,20 +217,21 @@ private:
     Exact_curve path;
     if(!pull(curve[0].from, curve[0].crossings, curve[0].to, path))
       return false;
-    replace_front(curve, known, 1, path);
+    replace(curve, known, 0, 1, path);
     return true;
   }
 
-  // Replaces the first arcs of a curve, after which something is not known of the pivots at the ends of the new ones.
-  static void replace_front(Exact_curve& curve, std::vector<Known_of_arc>& known, std::size_t count,
-                            const Exact_curve& path)
+  // Replaces arcs, after which something is not known of the pivots at the ends of the new ones.
+  static void replace(Exact_curve& curve, std::vector<Known_of_arc>& known, std::size_t first, std::size_t count,
+                      const Exact_curve& path)
   {
-    curve.erase(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(count));
-    known.erase(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(count));
-    if(!known.empty())
-      known.front().has_angles = false;
-    curve.insert(curve.begin(), path.begin(), path.end());
-    known.insert(known.begin(), path.size(), Known_of_arc());
+    const auto begin = static_cast<std::ptrdiff_t>(first), end = static_cast<std::ptrdiff_t>(first + count);
+    curve.erase(curve.begin() + begin, curve.begin() + end);
+    known.erase(known.begin() + begin, known.begin() + end);
+    if(first < known.size())
+      known[first].has_angles = false;
+    curve.insert(curve.begin() + begin, path.begin(), path.end());
+    known.insert(known.begin() + begin, path.size(), Known_of_arc());
   }
 
   // Appends the shortest path in a strip, which is normalised first; nothing if it is a point. False if a tie could not
@@ -218,15 +253,21 @@ private:
     return k.beyond_pi[0] == Proved_sign::NEGATIVE ? 0 : k.beyond_pi[1] == Proved_sign::NEGATIVE ? 1 : -1;
   }
 
-  bool lead_around_pivots(Exact_curve& curve, std::vector<Known_of_arc>& known)
+  // Of a path that is held at its ends its start is not passed.
+  bool lead_around_pivots(Exact_curve& curve, std::vector<Known_of_arc>& known, bool is_held = false)
   {
     const std::size_t n = curve.size();
-    std::size_t right = n;
-    for(std::size_t i = 0; i < n; ++i)
+    std::size_t right = is_held ? 0 : n;
+    for(std::size_t i = is_held ? 1 : 0; i < n; ++i)
     {
       m_certifier.examine_pivot(curve, i, known);
       if(n > 1 && runs_back(curve, i))
-        return cut_off_spur(curve, known, i);
+      {
+        if(!is_held)
+          return cut_off_spur(curve, known, i);
+        replace(curve, known, i - 1, 2, Exact_curve());
+        return true;
+      }
       if(right == n && sharp_side(known[i]) < 0)
         right = i;
     }
@@ -301,7 +342,7 @@ private:
     const std::size_t before = (tip + curve.size() - 1) % curve.size();
     std::rotate(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(before), curve.end());
     std::rotate(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(before), known.end());
-    replace_front(curve, known, 2, Exact_curve());
+    replace(curve, known, 0, 2, Exact_curve());
     return true;
   }
 

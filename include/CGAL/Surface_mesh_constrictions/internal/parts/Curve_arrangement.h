@@ -19,8 +19,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Closed curves on a mesh that do not cross: on each edge the order of their crossings, in each face their strands.
-// Arcs that curves share are stored once. Curves may touch at pivots.
+// Curves on a mesh that do not cross, closed or from one pivot to another: on each edge the order of their crossings, in
+// each face their strands. Arcs that curves share are stored once. Curves may touch at pivots, and end at those of
+// others.
 template <class TriangleMesh>
 class Curve_arrangement
 {
@@ -32,6 +33,7 @@ class Curve_arrangement
 
 public:
   typedef Surface_arc<TriangleMesh> Arc;
+  typedef typename Constriction<TriangleMesh>::Location Location;
 
   // An arc as part of a curve.
   struct Arc_use
@@ -76,13 +78,19 @@ public:
   // each stretch on which two arcs cross the same edges, its length times the logarithm of the number of crossings.
   std::optional<std::size_t> insert(const Constriction<TriangleMesh>& constriction, std::size_t number)
   {
+    return insert(constriction.locations(), number, true);
+  }
+
+  // As above, of a curve that is given by its points; one that is not closed begins and ends at a pivot.
+  std::optional<std::size_t> insert(const std::vector<Location>& locations, std::size_t number, bool is_closed)
+  {
     const std::size_t old_arcs = m_arcs.size(), old_crossings = m_crossings.size();
-    Curve curve = {number, {}};
-    for(Arc& arc : Arc_reader<TriangleMesh>(m_tm, constriction, number).arcs())
+    Curve curve = {number, is_closed, {}};
+    for(Arc& arc : Arc_reader<TriangleMesh>(m_tm, locations, number, is_closed).arcs())
       add_arc(std::move(arc), curve);
     std::optional<std::size_t> crossed = crossed_by_arcs(old_arcs, curve);
     m_curves.push_back(std::move(curve));
-    for(std::size_t i = 0; i < m_curves.back().uses.size(); ++i)
+    for(std::size_t i = m_curves.back().first_passage(); i < m_curves.back().uses.size(); ++i)
       if(!m_arcs[m_curves.back().uses[i].arc].is_closed)
         m_visits[start(m_curves.back().uses[i])].push_back({m_curves.size() - 1, i});
     if(!crossed)
@@ -156,7 +164,11 @@ private:
   struct Curve
   {
     std::size_t number;
+    bool is_closed;
     std::vector<Arc_use> uses;
+
+    // the first use that begins at a pivot which the curve passes through
+    std::size_t first_passage() const { return is_closed ? 0 : 1; }
   };
 
   // The pivot at which an arc of a curve begins.
@@ -377,7 +389,7 @@ private:
   std::optional<std::size_t> crossed_at_pivots() const
   {
     const std::size_t c = m_curves.size() - 1;
-    for(std::size_t i = 0; i < m_curves[c].uses.size(); ++i)
+    for(std::size_t i = m_curves[c].first_passage(); i < m_curves[c].uses.size(); ++i)
     {
       if(m_arcs[m_curves[c].uses[i].arc].is_closed)
         continue;
@@ -401,7 +413,8 @@ private:
     return {use.arc, !use.is_forward};
   }
 
-  // Whether the newest curve, which joins another at a pivot, leaves it on the other side than it has come from.
+  // Whether the newest curve, which joins another at a pivot, leaves it on the other side than it has come from. It does
+  // not if one of them ends before.
   bool cross_from(std::size_t i, Visit v) const
   {
     const std::size_t c = m_curves.size() - 1, n = m_curves[c].uses.size(), m = m_curves[v.curve].uses.size();
@@ -417,15 +430,21 @@ private:
       {
         same_direction = true;
         v.use = (v.use + 1) % m;
+        if(v.use < m_curves[v.curve].first_passage())
+          return false;
       }
       else if(out == ray_back(v.curve, v.use) && (steps == 0 || !same_direction))
       {
         same_direction = false;
         v.use = (v.use + m - 1) % m;
+        if(v.use < m_curves[v.curve].first_passage())
+          return false;
       }
       else
         return is_left(out, v) != comes_from_left;
       i = (i + 1) % n;
+      if(i < m_curves[c].first_passage())
+        return false;
     }
     return false;
   }

@@ -61,6 +61,17 @@ public:
 
   std::size_t size() const { return m_size; }
 
+  // none of a ghost
+  std::size_t part_of_cell(std::size_t cell) const { return m_part[cell]; }
+
+  // the part that a side bounds; none of a ghost's
+  std::size_t part_of_side(std::size_t s) const { return m_part[m_surface.sides[s].cell]; }
+
+  double length(std::size_t s) const
+  {
+    return std::sqrt((m_surface.points[end(s)] - m_surface.points[m_surface.sides[s].vertex]).squared_length());
+  }
+
   // For each face of the mesh the part with the greatest share of its area, the first of equal ones.
   std::vector<std::size_t> parts_of_faces() const
   {
@@ -131,12 +142,7 @@ public:
   }
 
 private:
-  std::size_t part_of_side(std::size_t s) const { return m_part[m_surface.sides[s].cell]; }
   std::size_t end(std::size_t s) const { return m_surface.sides[m_surface.sides[s].opposite].vertex; }
-  double length(std::size_t s) const
-  {
-    return std::sqrt((m_surface.points[end(s)] - m_surface.points[m_surface.sides[s].vertex]).squared_length());
-  }
 
   // Of the parts without their boundaries: a circle counts nothing.
   std::vector<long> euler_characteristics() const

@@ -35,7 +35,7 @@ struct Surface_arc
   std::size_t number_of_strands() const { return crossed.size() + !is_closed; }
 };
 
-// Translates closed sequences of locations to arcs.
+// Translates sequences of locations, closed or from one pivot to another, to arcs.
 template <class TriangleMesh>
 class Arc_reader
 {
@@ -46,8 +46,8 @@ class Arc_reader
 
 public:
   // `number` is the place of the curve in the user's sequence, for messages.
-  Arc_reader(const TriangleMesh& tm, const Constriction<TriangleMesh>& curve, std::size_t number)
-    : m_tm(tm), m_locations(curve.locations()), m_number(number)
+  Arc_reader(const TriangleMesh& tm, const std::vector<Location>& locations, std::size_t number, bool is_closed = true)
+    : m_tm(tm), m_locations(locations), m_number(number), m_is_closed(is_closed)
   {}
 
   // Throws Invalid_input unless any two consecutive locations lie in one triangle. Linear, times the mean vertex
@@ -57,7 +57,10 @@ public:
     const std::size_t n = m_locations.size();
     if(n == 0)
       fail("it has no points");
-    for(std::size_t i = 0; i < n; ++i)
+    if(!m_is_closed && (n == 1 || !m_locations.front().is_pivot || !m_locations.back().is_pivot))
+      fail("it has no vertices at its ends");
+    const std::size_t steps = m_is_closed ? n : n - 1;
+    for(std::size_t i = 0; i < steps; ++i)
       check(i);
     const auto is_pivot = [](const Location& l) { return l.is_pivot; };
     const std::size_t first = std::find_if(m_locations.begin(), m_locations.end(), is_pivot) - m_locations.begin();
@@ -70,7 +73,7 @@ public:
       return {arc};
     }
     std::vector<Arc> result;
-    for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t i = 0; i < steps; ++i)
     {
       const Location &p = m_locations[(first + i) % n], &q = m_locations[(first + i + 1) % n];
       if(p.is_pivot)
@@ -143,6 +146,7 @@ private:
   const TriangleMesh& m_tm;
   const std::vector<Location>& m_locations;
   std::size_t m_number;
+  bool m_is_closed;
 };
 
 } // namespace internal

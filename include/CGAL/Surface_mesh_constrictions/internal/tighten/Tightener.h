@@ -67,7 +67,8 @@ private:
 };
 
 // Tightens curves of a network: as long as a pivot has a side angle below pi, the curve is led around that side of the
-// pivot and pulled straight between the neighbouring pivots.
+// pivot and pulled straight between the neighbouring pivots. The arcs of a curve may be a path that is not closed, of
+// which the ends are held: the network takes the last arc to be the one before the first, but they do not meet.
 class Tightener
 {
 public:
@@ -84,7 +85,8 @@ public:
   // Notes the pivot at which an arc starts, if one of its side angles is below pi. The arcs at it must be in place.
   void enqueue(Index arc)
   {
-    if(m_network.arc(arc).from == m_held)
+    const Index from = m_network.arc(arc).from;
+    if(from == m_held || from != m_network.arc(m_network.previous(arc)).to)
     {
       m_network.renew_stamp(arc);
       return;
