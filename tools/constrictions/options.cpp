@@ -379,8 +379,9 @@ void add_girth_options(CLI::App& command, Girth& girth)
       ->check(whole_number(1));
   command
       .add_option("--min-angle", girth.minimum_angle,
-                  "leave out loops that are bent at the place: whose angle there, in radians, is less than this. It is "
-                  "near 3.14 around a tube, and small where a loop runs to a limb, around it, and back")
+                  "leave out loops that are bent at the place: whose angle there, in radians, is less than this; 0.785 "
+                  "if not given. It is near 3.14 around a tube, and small where a loop runs to a limb, around it, and "
+                  "back")
       ->type_name("A")
       ->check(not_negative());
 }

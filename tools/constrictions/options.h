@@ -63,7 +63,7 @@ struct Girth
 {
   std::array<double, 3> location = {{0, 0, 0}};
   std::size_t maximum_number = 1;
-  double minimum_angle = 0; ///< radians
+  double minimum_angle = 0.78539816339744828; ///< radians; a quarter of pi, as in the library
 };
 
 /// Which constrictions cut the surface into parts, and what is written of these.

@@ -28,9 +28,8 @@ using CGAL::is_border;
 /// tells is looked up when it is asked for: after the collapse only the vertices are what they were.
 ///
 /// A halfedge data structure that CGAL's `edge_collapse()` is fast on: connectivity in arrays of 32-bit numbers,
-/// opposite halfedges next to each other, no properties but the points, and descriptors of its own, whose sets
-/// `edge_collapse()` fills and empties without allocating memory. Removed elements keep their numbers; there is no
-/// garbage collection, and `num_vertices()` and the like count them.
+/// opposite halfedges next to each other, and no properties but the points. Removed elements keep their numbers; there
+/// is no garbage collection, and `num_vertices()` and the like count them.
 ///
 /// \cgalModels{MutableFaceGraph,VertexListGraph,EdgeListGraph,HalfedgeListGraph,FaceListGraph}
 class Simplification_mesh
@@ -289,8 +288,7 @@ private:
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL
 
-// what makes it a face graph, and what edge_collapse() is fast with
-#include <CGAL/Surface_mesh_constrictions/internal/simplify/Simplification_mesh_edge_set.h>
+// what makes it a face graph
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/Simplification_mesh_graph.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/Simplification_mesh_properties.h>
 

@@ -32,6 +32,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
+// A loop with a smaller angle at the location runs to something, around it, and back by nearly the same way.
+constexpr double least_loop_angle = CGAL_PI / 4;
+
 struct Geodesic_loop_parameters : Mesh_parameters::With<internal_np::certify_t, internal_np::maximum_number_of_loops_t,
                                                         internal_np::minimum_loop_angle_t>
 {};
@@ -54,8 +57,8 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 /// lesser part that it cuts off reaches further by some share, its persistence. The 4096 loops of greatest persistence,
 /// among them all of a greedy homotopy basis \cgalCite{ew_gohhg_05}, are tightened with the location held.
 ///
-/// The answer is the shortest of the simple geodesic loops that come up; with `minimum_loop_angle`, of those with such
-/// an angle at the location. A loop that shrinks to the location while it is held there is none, and one that crosses
+/// The answer is the shortest of the simple geodesic loops that come up and are not folded: at the location their angle
+/// is at least `minimum_loop_angle`. A loop that shrinks to the location while it is held there is none, and one that crosses
 /// or touches itself is left out. What remains is of two kinds, which the result tells apart: a loop that comes to
 /// rest, as a rule at a constriction, when it is let go; and one that shrinks to a point then,
 /// `Geodesic_loop::encloses_tip()`: it slides off over a tip that is steeper than the apex of a cone of 60 degrees, a
@@ -96,9 +99,9 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 ///   \cgalParamNBegin{minimum_loop_angle}
 ///     \cgalParamDescription{the angle that a loop has at least, in radians, on the side of the location where it is
 ///                           smaller: it is near pi around a tube, and small where a loop runs to a limb, around it,
-///                           and back}
+///                           and back. With 0 the shortest loop of all is written, folded or not.}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{0}
+///     \cgalParamDefault{a quarter of pi}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{certify}
 ///     \cgalParamDescription{whether the curves that loops become when they are let go are certified with exact
@@ -147,7 +150,8 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
   const std::size_t maximum_number =
       choose_parameter(get_parameter(np, internal_np::maximum_number_of_loops), std::size_t(1));
-  const double minimum_angle = choose_parameter(get_parameter(np, internal_np::minimum_loop_angle), 0.0);
+  const double minimum_angle =
+      choose_parameter(get_parameter(np, internal_np::minimum_loop_angle), internal::least_loop_angle);
 
   Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Cut_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Part_finder.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/arrange_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
@@ -133,17 +134,18 @@ Surface_parts segment_by_constrictions_checked(const TriangleMesh& tm, const Con
     ++result.parts[part_of_face[f]].number_of_faces;
   }
 
-  const double unit = imported.unit();
+  const internal::Coordinate_unit& unit = imported.unit();
   for(Surface_part& part : result.parts)
   {
-    part.area *= unit * unit;
-    part.volume *= unit * unit * unit;
+    part.area = unit.restored(part.area, 2);
+    part.volume = unit.restored(part.volume, 3);
   }
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, double> lengths;
   for(const internal::Part_finder::Meeting& m : finder.meetings())
     lengths[{arranged.arrangement->curve_of_arc(m.arc), m.parts[0], m.parts[1]}] += m.length;
   for(const auto& [meeting, length] : lengths)
-    result.adjacencies.push_back({std::get<0>(meeting), {{std::get<1>(meeting), std::get<2>(meeting)}}, length * unit});
+    result.adjacencies.push_back(
+        {std::get<0>(meeting), {{std::get<1>(meeting), std::get<2>(meeting)}}, unit.restored(length)});
   return result;
 }
 

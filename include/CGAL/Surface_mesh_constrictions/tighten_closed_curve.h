@@ -169,7 +169,7 @@ OutputIterator tighten_closed_curves_checked(const TriangleMesh& tm, const LoopR
     if(certifies && !network.is_empty(c))
     {
       certificate = exact_settler.settle(network, c);
-      band_width = certificate.flat_band_width / imported.unit();
+      band_width = imported.unit().divided(certificate.flat_band_width);
       result.verdict = internal::tightening_verdict(certificate, network.is_empty(c));
     }
     if(result.verdict == Tightening_verdict::CLOSED_GEODESIC)

@@ -83,7 +83,7 @@ struct Tube
         [&] {
           return Settler_that_says{verdict, degenerates};
         },
-        1, keeps_open, refined, found, statistics, [](std::size_t) {});
+        internal::Coordinate_unit(), keeps_open, refined, found, statistics, [](std::size_t) {});
   }
 };
 

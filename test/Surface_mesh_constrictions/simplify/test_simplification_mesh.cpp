@@ -15,15 +15,11 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/concept/assert.hpp>
-#include <boost/container/small_vector.hpp>
 #include <boost/graph/graph_concepts.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <iterator>
-#include <set>
-#include <type_traits>
 #include <unordered_set>
 #include <vector>
 
@@ -130,29 +126,6 @@ TEST(SimplificationMesh, EdgesOfLengthZeroCollapseLikeThoseOfASurfaceMesh)
   for(std::size_t f = 0; f + 8 < soup.faces.size(); f += 8)
     soup.points[soup.faces[f][0]] = soup.points[soup.faces[f][1]] = soup.points[soup.faces[f][2]];
   expect_same_collapses(test_meshes::make_graph<Mesh>(soup), test_meshes::make_mesh(soup));
-}
-
-// Were they trees, edge_collapse() would take a third longer, and no other test would tell.
-TEST(SimplificationMesh, TheSetsThatEdgeCollapseMakesAfterEachCollapseAreSortedArrays)
-{
-  typedef SMS::EdgeCollapse<Mesh, test_meshes::Kernel, int, int, boost::property_map<Mesh, CGAL::vertex_point_t>::type,
-                            int, int, int, int, int, int, false>
-      Edge_collapse;
-  typedef std::set<Mesh::Halfedge_index, Edge_collapse::Compare_id> Edge_set;
-  EXPECT_TRUE(
-      (std::is_same<Edge_set::iterator, boost::container::small_vector<Mesh::Halfedge_index, 64>::iterator>::value));
-}
-
-TEST(SimplificationMesh, SetsOfItsHalfedgesInTheirOwnOrderAreOrdinarySets)
-{
-  std::set<Mesh::Halfedge_index> set;
-  const auto seven = set.insert(Mesh::Halfedge_index(7)).first;
-  for(SMC::Index i = 0; i < 1000; ++i)
-    set.insert(Mesh::Halfedge_index((i * 37) % 1000));
-  set.erase(Mesh::Halfedge_index(8));
-  EXPECT_EQ(set.size(), 999u);
-  EXPECT_EQ(*seven, Mesh::Halfedge_index(7));
-  EXPECT_EQ(*std::next(seven), Mesh::Halfedge_index(9));
 }
 
 } // namespace test_simplification_mesh

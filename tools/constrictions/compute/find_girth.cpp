@@ -80,7 +80,11 @@ void find_girth(const Girth& girth, bool certifies, Stage_monitor& monitor, Repo
     report.statistics.signs = report.statistics.signs + loop.let_go.certificate().signs;
   }
   if(report.loops.empty())
-    report.hint = "No closed curve through this place holds: there is no handle, and no limb that is steep enough.";
+    report.hint = girth.minimum_angle > 0
+                      ? "No closed curve through this place holds that is bent there by no more than "
+                        "--min-angle allows; with --min-angle 0 each one is listed."
+                      : "No closed curve through this place holds: there is no handle, and no limb "
+                        "that is steep enough.";
   monitor.step(1);
   monitor.end(SMC::Detection_stage::TIGHTENING);
 }

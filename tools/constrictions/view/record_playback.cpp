@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 
@@ -39,29 +40,27 @@ const std::size_t shown_frames = 48;
 
 typedef std::set<std::size_t> Level_set;
 
-// Points of the progressive mesh in the unit of the user's mesh, which the detection may have divided by a power of
-// two.
+// Points of the progressive mesh in the unit of the user's mesh.
 class Unit
 {
 public:
-  // `pm` at level 0
-  Unit(const Mesh& mesh, const Progressive_mesh& pm)
+  explicit Unit(const Mesh& mesh)
   {
-    double of_mesh = 0, of_pm = 0;
+    double greatest = 0;
     for(Mesh::Vertex_index v : mesh.vertices())
       for(int i = 0; i < 3; ++i)
-        of_mesh = (std::max)(of_mesh, std::abs(mesh.point(v)[i]));
-    for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
-      for(int i = 0; i < 3 && !pm.is_ghost_vertex(v); ++i)
-        of_pm = (std::max)(of_pm, std::abs(pm.point(v)[i]));
-    m_unit = of_mesh / of_pm;
+        greatest = (std::max)(greatest, std::abs(mesh.point(v)[i]));
+    m_unit = SMC::internal::Coordinate_unit(greatest);
   }
 
-  Mesh::Point operator()(double x, double y, double z) const { return {m_unit * x, m_unit * y, m_unit * z}; }
+  Mesh::Point operator()(double x, double y, double z) const
+  {
+    return {m_unit.restored(x), m_unit.restored(y), m_unit.restored(z)};
+  }
   Mesh::Point operator()(const Mesh::Point& p) const { return (*this)(p.x(), p.y(), p.z()); }
 
 private:
-  double m_unit;
+  SMC::internal::Coordinate_unit m_unit;
 };
 
 // The numbers that the vertices of the mesh have in the progressive mesh, by the index of the vertex.
@@ -288,7 +287,7 @@ private:
 Playback record_playback(const Mesh& mesh, const std::vector<Constriction>& constrictions, Progressive_mesh levels)
 {
   levels.go_to_level(0);
-  const Unit unit(mesh, levels);
+  const Unit unit(mesh);
   const std::size_t vertices = levels.number_of_vertices();
   Playback result;
   result.collapses = levels.number_of_collapses();

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/insert_point.h>
@@ -107,18 +108,19 @@ private:
 
   void measure(const std::vector<Arc>& loop, Result& result) const
   {
-    const double unit = m_imported.unit(), length = total_length(loop);
+    const Coordinate_unit& unit = m_imported.unit();
+    const double length = total_length(loop);
     const Surface_sides& sides = m_sides_with ? *m_sides_with : m_sides;
     const std::vector<Trace_point> points = accurate_trace(m_with, loop);
     const Parting parting = sides.part(points);
     const Curve_measures measures = curve_measures(m_with, points);
-    result.length = length * unit;
+    result.length = unit.restored(length);
     result.separating = parting.is_separating();
-    result.areas = {{parting.areas[0] * unit * unit, parting.areas[1] * unit * unit}};
+    result.areas = {{unit.restored(parting.areas[0], 2), unit.restored(parting.areas[1], 2)}};
     result.genera = sides.genera(points, parting.is_separating());
     result.isoperimetric_ratio = isoperimetric_ratio(length, parting.areas);
     result.roundness = measures.roundness;
-    result.centroid = {{unit * measures.centroid.x, unit * measures.centroid.y, unit * measures.centroid.z}};
+    result.centroid = unit.restored_point(measures.centroid);
     result.normal = {{measures.normal.x, measures.normal.y, measures.normal.z}};
     result.side = sides.choked_side(points);
     result.boundary_share = boundary_share(m_with, loop, parting);
@@ -139,7 +141,7 @@ private:
     if(m_certifies && !m_network.is_empty(c))
     {
       certificate = m_exact_settler.settle(m_network, c);
-      band_width = certificate.flat_band_width / m_imported.unit();
+      band_width = m_imported.unit().divided(certificate.flat_band_width);
       result.verdict = tightening_verdict(certificate, m_network.is_empty(c));
     }
     if(result.verdict == Tightening_verdict::CLOSED_GEODESIC)

@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/nearest_point.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -24,8 +25,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Distances from a point in space to a mesh and to curves on it, in the unit of the mesh's coordinates. They are
-// computed in a unit of about the size of the greatest coordinate, so that no square overflows or vanishes.
+// Distances from a point in space to a mesh and to curves on it, in the unit of the mesh's coordinates. No square
+// overflows or vanishes.
 template <class TriangleMesh, class VertexPointMap>
 class Query_location
 {
@@ -53,9 +54,8 @@ public:
         if(std::isfinite(q[i]))
           greatest = (std::max)(greatest, std::abs(q[i]));
     }
-    if(greatest > 0)
-      m_exponent = std::ilogb(greatest);
-    m_point = scaled(p);
+    m_unit = Coordinate_unit(greatest);
+    m_point = m_unit.divided(p);
   }
 
   // The number, in the order of vertices(tm), of the vertex that is nearest to the point and not isolated. Linear.
@@ -65,7 +65,7 @@ public:
     double least = (std::numeric_limits<double>::infinity)();
     for(auto v : vertices(m_tm))
     {
-      const double d = squared_distance(m_point, scaled(to_point(get(m_vpm, v))));
+      const double d = squared_distance(m_point, m_unit.divided(to_point(get(m_vpm, v))));
       if(d < least && halfedge(v, m_tm) != boost::graph_traits<TriangleMesh>::null_halfedge())
       {
         least = d;
@@ -82,14 +82,14 @@ public:
     std::vector<typename boost::property_traits<VertexPointMap>::value_type> points;
     curve.points(m_tm, m_vpm, std::back_inserter(points));
     double least = (std::numeric_limits<double>::infinity)();
-    Point p = scaled(to_point(points.back()));
+    Point p = m_unit.divided(to_point(points.back()));
     for(const auto& point : points)
     {
-      const Point q = scaled(to_point(point));
+      const Point q = m_unit.divided(to_point(point));
       least = (std::min)(least, squared_distance_to_segment(p, q));
       p = q;
     }
-    return std::ldexp(std::sqrt(least), m_exponent);
+    return m_unit.restored(std::sqrt(least));
   }
 
 private:
@@ -97,11 +97,6 @@ private:
   static Point to_point(const GivenPoint& p)
   {
     return Point(nearest_double(p.x()), nearest_double(p.y()), nearest_double(p.z()));
-  }
-
-  Point scaled(const Point& p) const
-  {
-    return Point(std::ldexp(p.x(), -m_exponent), std::ldexp(p.y(), -m_exponent), std::ldexp(p.z(), -m_exponent));
   }
 
   double squared_distance_to_segment(const Point& p, const Point& q) const
@@ -114,7 +109,7 @@ private:
 
   const TriangleMesh& m_tm;
   VertexPointMap m_vpm;
-  int m_exponent = 0;
+  Coordinate_unit m_unit;
   Point m_point;
 };
 

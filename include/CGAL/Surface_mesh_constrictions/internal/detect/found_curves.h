@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/boundary_share.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/coincidence.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Group.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Curve_settler.h>
@@ -224,8 +225,8 @@ inline bool remains_open(const Progressive_mesh& pm, const std::vector<Arc>& arc
 // What remains open stays if `keeps_open`, with a certificate that says why. make_settler() makes an Exact_settler.
 // Calls on_step() with the number of curves done.
 template <class ConcurrencyTag, class MakeSettler, class Progress>
-void certify_found(Curve_network& network, const MakeSettler& make_settler, double unit, bool keeps_open,
-                   const std::vector<Refined_curve>& refined, std::vector<Found_curve>& found,
+void certify_found(Curve_network& network, const MakeSettler& make_settler, const Coordinate_unit& unit,
+                   bool keeps_open, const std::vector<Refined_curve>& refined, std::vector<Found_curve>& found,
                    Detection_statistics& statistics, const Progress& on_step)
 {
   const std::size_t group_size = 8;
@@ -265,7 +266,7 @@ void certify_found(Curve_network& network, const MakeSettler& make_settler, doub
          (keeps_open && remains_open(network.surface(), arcs_of_curve(network, f.curve), f.certificate.verdict)))
       {
         f.length = network.length(f.curve);
-        f.band_width = f.certificate.flat_band_width / unit;
+        f.band_width = unit.divided(f.certificate.flat_band_width);
         if(distinct.insert(f.curve) == f.curve)
           certified.push_back(f);
         continue;

@@ -86,7 +86,7 @@ Surface_location given_location(const Imported_mesh<TriangleMesh>& imported, Ver
     for(std::size_t i = 0; i < 3; ++i)
     {
       check_finite(p[i], std::string(1, "xyz"[i]));
-      p[i] = (std::min)((std::max)(p[i] / imported.unit(), -1e150), 1e150);
+      p[i] = (std::min)((std::max)(imported.unit().divided(p[i]), -1e150), 1e150);
     }
     return nearest_location(imported.table, imported.points, Point(p[0], p[1], p[2]));
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/boundary_share.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/curve_measures.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 
 #include <array>
@@ -68,22 +69,23 @@ public:
         seed.vertices.push_back(m_imported.vertex(v));
       data.seeds.push_back(std::move(seed));
     }
-    const double unit = m_imported.unit();
-    data.length *= unit;
+    const Coordinate_unit& unit = m_imported.unit();
+    const double length = data.length;
+    data.length = unit.restored(length);
     const Parting parting = m_sides.part(points);
     data.separating = parting.is_separating();
     data.homology_class.assign(parting.homology_class.begin(), parting.homology_class.end());
-    data.areas = {{parting.areas[0] * unit * unit, parting.areas[1] * unit * unit}};
+    data.areas = {{unit.restored(parting.areas[0], 2), unit.restored(parting.areas[1], 2)}};
     data.genera = m_sides.genera(points, parting.is_separating());
-    data.isoperimetric_ratio = isoperimetric_ratio(data.length / unit, parting);
+    data.isoperimetric_ratio = isoperimetric_ratio(length, parting);
     const Curve_measures measures = curve_measures(m_pm, points);
     data.roundness = measures.roundness;
-    data.centroid = {{unit * measures.centroid.x, unit * measures.centroid.y, unit * measures.centroid.z}};
+    data.centroid = unit.restored_point(measures.centroid);
     data.normal = {{measures.normal.x, measures.normal.y, measures.normal.z}};
     data.side = m_sides.choked_side(points);
     data.boundary_share = boundary_share(m_pm, arcs, parting);
     data.rim = data.boundary_share > rim_share;
-    data.flat_band_width = band_width * unit;
+    data.flat_band_width = unit.restored(band_width);
     data.certificate = certificate;
     return Result(std::move(data));
   }

@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/nearest_point.h>
 
@@ -132,23 +133,21 @@ public:
   std::size_t number_of_vertices() const { return m_vertices.size(); }
   std::size_t number_of_faces() const { return m_halfedges.size(); }
 
-  // Divides coordinates by a power of two if they are so large or so small that their products would overflow or
-  // vanish.
+  // Divides coordinates by `unit()`.
   void rescale()
   {
     double greatest = 0;
     for(const Point& p : points)
       greatest = (std::max)({greatest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-    const int exponent = std::ilogb(greatest);
-    if(std::abs(exponent) <= 64)
+    m_unit = Coordinate_unit(greatest);
+    if(m_unit.is_one())
       return;
-    m_unit = std::ldexp(1.0, exponent);
     for(Point& p : points)
-      p = Point(std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent), std::ldexp(p.z(), -exponent));
+      p = m_unit.divided(p);
   }
 
   // what coordinates have been divided by
-  double unit() const { return m_unit; }
+  const Coordinate_unit& unit() const { return m_unit; }
 
   vertex_descriptor vertex(Index v) const { return m_vertices[v]; }
 
@@ -168,7 +167,7 @@ private:
   }
 
   const TriangleMesh& m_tm;
-  double m_unit = 1;
+  Coordinate_unit m_unit;
   std::vector<vertex_descriptor> m_vertices;
   std::vector<halfedge_descriptor> m_halfedges; // the first of each face
 };
