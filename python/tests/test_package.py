@@ -70,7 +70,8 @@ def test_examples_run(example, tmp_path):
     if "sys.argv" in text:
         write_off(tmp_path / "cactus.off", *read_off("cactus.off"))
         arguments = ["cactus.off", "out.vtu" if "import meshio" in text else "out.ply"]
-    environment = {**os.environ, "PYTHONPATH": str(PACKAGE.parent)}
+    folders = [str(PACKAGE.parent), *filter(None, [os.environ.get("PYTHONPATH")])]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(folders)}
     process = subprocess.run(
         [sys.executable, path, *arguments], stdout=subprocess.PIPE, check=True, env=environment, cwd=tmp_path, text=True
     )

@@ -68,7 +68,7 @@ def test_what_progress_raises_ends_the_search(hand):
             hand.detect(progress=stop)
         assert raised.value is error
     # and leaves the surface as it was
-    assert len(hand.detect(max_number=2)) == 2
+    assert len(hand.detect(all=True, max_number=2)) == 2
 
 
 def test_progress_that_is_wrong_is_told():
@@ -160,7 +160,7 @@ def test_a_handler_of_signals_can_go_on(hand):
     before = signal.signal(signal.SIGALRM, lambda *_: calls.append(True))
     try:
         signal.setitimer(signal.ITIMER_REAL, 0.02)
-        assert len(hand.detect(max_number=1)) == 1
+        assert len(hand.detect(all=True, max_number=1)) == 1
     finally:
         signal.signal(signal.SIGALRM, before)
     assert calls == [True]
