@@ -16,7 +16,8 @@ compilers=$("$project/scripts/number_of_jobs.sh" 3200)
 "$project/scripts/fetch_meshes.sh" "$project/data/meshes"
 
 cd "$project"
-cmake --preset coverage -DWITH_QUICK_COMPILATION=ON -DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_HEADER_CHECK=OFF
+cmake --preset coverage -DWITH_QUICK_COMPILATION=ON -DWITH_TOOLS=OFF -DWITH_PYTHON=OFF -DWITH_EXAMPLES=OFF \
+  -DWITH_HEADER_CHECK=OFF
 cmake --build --preset coverage --parallel "$compilers"
 find "$build" -name '*.gcda' -delete # what earlier runs executed
 ctest --test-dir "$build/test/Surface_mesh_constrictions" --output-on-failure --no-tests=error --parallel "$jobs"

@@ -39,7 +39,8 @@ run() { # STEP
         clang-cgal6-release:curves sanitizers clang-cgal6-sanitizers
       ;;
     headers)
-      scripts/setup.sh && cmake --preset release -DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_TEST_PROGRAMS=OFF &&
+      scripts/setup.sh && cmake --preset release -DWITH_TOOLS=OFF -DWITH_PYTHON=OFF -DWITH_EXAMPLES=OFF \
+        -DWITH_TEST_PROGRAMS=OFF &&
         cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 2000)" \
           --target public_headers_compile_alone --target internal_headers_compile_alone
       ;;

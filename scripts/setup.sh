@@ -10,7 +10,7 @@
 #                                      services munge, slurmctld and slurmd of this machine
 #
 # Without the rights to install packages it says which command does, and fails if the compilers need them. Without the
-# others, those for the viewer and the engines, the program is built, or tested, without these.
+# others, those for the viewer, the engines and the Python module, the program is built, or tested, without these.
 set -euo pipefail
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -51,6 +51,8 @@ done
 if "$for_tests"; then
   packages+=(doxygen libbenchmark-dev libeigen3-dev libgtest-dev libopenmesh-dev python3)
   optional+=(parallel python3-jsonschema)
+  # for the Python module
+  optional+=(pybind11-dev python3-dev python3-meshio python3-numpy python3-pytest)
 fi
 
 is_installed() {

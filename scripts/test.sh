@@ -38,7 +38,7 @@ for configuration in "${configurations[@]}"; do
   preset=${configuration%:*}
   options=(-DWITH_QUICK_COMPILATION=ON -DWITH_HEADER_CHECK=OFF "-DCONSTRICTIONS_TEST_PREFIX=$preset.")
   case $configuration in
-    *:curves) options+=(-DWITH_TOOLS=OFF -DWITH_EXAMPLES=OFF -DWITH_TEST_PROGRAMS=OFF) ;;
+    *:curves) options+=(-DWITH_TOOLS=OFF -DWITH_PYTHON=OFF -DWITH_EXAMPLES=OFF -DWITH_TEST_PROGRAMS=OFF) ;;
     *:short) options+=(-DWITH_EXAMPLES=OFF -DWITH_LONG_TESTS=OFF) ;;
   esac
   if [ "$configuration" = "${configurations[-1]}" ]; then
