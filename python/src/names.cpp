@@ -31,6 +31,8 @@ const char* name_of(SMC::Certificate_verdict verdict)
     return "touches_itself";
   case SMC::Certificate_verdict::TIE_NOT_PROVED:
     return "tie_not_proved";
+  case SMC::Certificate_verdict::GEODESIC_ARC:
+    return "geodesic_arc";
   }
   return "";
 }
