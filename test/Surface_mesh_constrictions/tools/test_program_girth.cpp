@@ -94,7 +94,7 @@ TEST_F(Girth, where_nothing_is_narrow_it_says_that_it_is_held)
 TEST_F(Girth, the_next_ones_and_the_angle)
 {
   const std::string hand = "'" CONSTRICTIONS_MESH_DIR "/hand.off' --at 0.396,0.00885,-0.0863";
-  const json few = girth(hand + " --max 4")["constrictions"];
+  const json few = girth(hand + " --min-angle 0 --max 4")["constrictions"];
   ASSERT_EQ(few.size(), 4u);
   for(std::size_t i = 0; i < 4; ++i)
   {
@@ -144,6 +144,15 @@ TEST_F(Girth, where_there_is_none_it_says_so)
   EXPECT_EQ(r.exit_code, 0);
   EXPECT_EQ(r.out, "0 loops\nNo closed curve through this place holds: there is no handle, and no limb that is steep "
                    "enough.\n");
+}
+
+TEST_F(Girth, where_all_are_folded_it_says_so)
+{
+  const std::string hand = "girth '" CONSTRICTIONS_MESH_DIR "/hand.off' --at 0.396,0.00885,-0.0863";
+  EXPECT_EQ(
+      run(hand + " --min-angle 3.1").out.find("0 loops\nThe closed curves through this place that hold are folded"),
+      0u);
+  EXPECT_NE(run(hand + " --min-angle 0").out.find("\n1 loop\n"), std::string::npos);
 }
 
 TEST_F(Girth, wrong_usage)

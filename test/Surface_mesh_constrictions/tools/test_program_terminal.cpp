@@ -132,7 +132,7 @@ TEST_F(Terminal, nothing_found_points_to_all)
   const std::string hint = "Closed geodesics were found but are not selected; --all shows them";
   EXPECT_NE(run("detect dumbbell.off --min-prominence 100").out.find("seed curves\n" + hint + ".\n"),
             std::string::npos);
-  EXPECT_NE(run("detect dumbbell.off --min-prominence 100 --min-length 1").out.find(hint + ", if within"),
+  EXPECT_NE(run("detect dumbbell.off --min-prominence 100 --min-length 1").out.find(hint + ", within the bounds"),
             std::string::npos);
   EXPECT_NE(run("segment dumbbell.off --min-prominence 100 -o parts").out.find(hint), std::string::npos);
   expect_at_the_end(run_in_terminal("detect dumbbell.off --min-prominence 100 --json a.json"),

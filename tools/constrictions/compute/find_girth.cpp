@@ -70,7 +70,8 @@ void find_girth(const Girth& girth, bool certifies, Stage_monitor& monitor, Repo
   report.is_girth = true;
   monitor.begin(SMC::Detection_stage::TIGHTENING, 1);
   const std::array<double, 3>& at = girth.location;
-  SMC::geodesic_loops_at_location(report.mesh, Mesh::Point(at[0], at[1], at[2]), std::back_inserter(report.loops),
+  const Mesh::Point place(at[0], at[1], at[2]);
+  SMC::geodesic_loops_at_location(report.mesh, place, std::back_inserter(report.loops),
                                   SMC::parameters::maximum_number_of_loops(girth.maximum_number)
                                       .minimum_loop_angle(girth.minimum_angle)
                                       .certify(certifies));
@@ -80,11 +81,15 @@ void find_girth(const Girth& girth, bool certifies, Stage_monitor& monitor, Repo
     report.statistics.signs = report.statistics.signs + loop.let_go.certificate().signs;
   }
   if(report.loops.empty())
-    report.hint = girth.minimum_angle > 0
-                      ? "No closed curve through this place holds that is bent there by no more than "
-                        "--min-angle allows; with --min-angle 0 each one is listed."
-                      : "No closed curve through this place holds: there is no handle, and no limb "
-                        "that is steep enough.";
+  {
+    std::vector<Geodesic_loop> folded;
+    SMC::geodesic_loops_at_location(report.mesh, place, std::back_inserter(folded),
+                                    SMC::parameters::minimum_loop_angle(0.0).certify(false));
+    report.hint = folded.empty() ? "No closed curve through this place holds: there is no handle, and no limb that is "
+                                   "steep enough."
+                                 : "The closed curves through this place that hold are folded there: their angles are "
+                                   "less than --min-angle. With --min-angle 0 the shortest one is reported.";
+  }
   monitor.step(1);
   monitor.end(SMC::Detection_stage::TIGHTENING);
 }
