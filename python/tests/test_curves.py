@@ -8,16 +8,6 @@ from meshes import hourglass, read_off, tube
 import constrictions
 
 
-@pytest.fixture(scope="module")
-def cactus():
-    return constrictions.Surface(*read_off("cactus.off"))
-
-
-@pytest.fixture(scope="module")
-def found(cactus):
-    return cactus.detect()
-
-
 def test_curves_are_certified(cactus, found):
     for curve in found:
         certificate = cactus.certify(curve)

@@ -5,19 +5,9 @@ import math
 
 import numpy as np
 import pytest
-from meshes import TETRAHEDRON, hourglass, read_off, tube
+from meshes import TETRAHEDRON, hourglass, tube
 
 import constrictions
-
-
-@pytest.fixture(scope="module")
-def cactus():
-    return constrictions.Surface(*read_off("cactus.off"))
-
-
-@pytest.fixture(scope="module")
-def found(cactus):
-    return cactus.detect()
 
 
 def test_the_waist_of_an_hourglass_is_found():
