@@ -43,9 +43,10 @@ const char* outcome_name(Label_border_outcome outcome)
     return "crossing";
   case Label_border_outcome::NOT_SIMPLE:
     return "not_simple";
-  default:
+  case Label_border_outcome::NOT_CERTIFIED:
     return "not_certified";
   }
+  return "";
 }
 
 SMC::Constriction<Mesh> curve_of_border(const Label_border& border)

@@ -47,7 +47,7 @@ template <class TriangleMesh, class VertexPointMap>
 class Closed_path_tightener
 {
 public:
-  // `pm` is the mesh, taken over. Linear in its size.
+  // `pm` has been made of `imported`. Linear in its size.
   Closed_path_tightener(const Imported_mesh<TriangleMesh>& imported, const Progressive_mesh& pm, VertexPointMap vpm,
                         bool certifies)
     : m_unit(imported.unit()), m_certifies(certifies), m_network(pm, false), m_angles(pm), m_length_unit(pm),

@@ -25,7 +25,7 @@ template <class TriangleMesh, class VertexPointMap>
 class Held_path_tightener
 {
 public:
-  // `pm` is the mesh, taken over; `unit` and `angles` are its.
+  // `pm` has been made of `imported`; `unit` and `angles` are those of `pm`.
   Held_path_tightener(const Imported_mesh<TriangleMesh>& imported, const Progressive_mesh& pm, VertexPointMap vpm,
                       const Length_unit& unit, const Corner_angles& angles)
     : m_network(pm, false), m_tightener(m_network, unit, &angles), m_exact_settler(pm, imported, vpm)
