@@ -107,7 +107,7 @@ Certificate certify_constriction_checked(const TriangleMesh& tm, const Constrict
 
   const Surface surface(tm, vpm);
   internal::Certifier<Surface> certifier(surface);
-  const auto located = internal::arcs_of_locations(certifier.prover(), curve.locations());
+  const auto located = internal::exact_arcs_of_locations(certifier.prover(), curve.locations());
   if(located.verdict == Certificate_verdict::NOT_COMPUTED)
     return certifier.examine(located.arcs).certificate;
   Certificate result;

@@ -8,18 +8,16 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/by_length.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/crossings_of_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Crossed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Curves_on_copy.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Slides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/rivals.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
-#include <CGAL/Surface_mesh_constrictions/internal/tighten/Closed_strip.h>
-#include <CGAL/Surface_mesh_constrictions/internal/tighten/String_puller.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -29,6 +27,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -156,41 +155,17 @@ void set_prominences(const Progressive_mesh& pm, const Surface_sides& sides,
     constrictions[i] = Constriction<TriangleMesh>(std::move(data[i]));
 }
 
-// The arcs of a closed curve of T^0. One that is given without pivots gets the one around which its strip is shortest.
-inline std::vector<Arc> arcs_of_trace(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
-{
-  const std::size_t first = static_cast<std::size_t>(
-      std::find_if(trace.begin(), trace.end(), [](const Trace_point& p) { return p.is_pivot(); }) - trace.begin());
-  if(first == trace.size())
-  {
-    Strip crossings;
-    for(const Trace_point& p : trace)
-      crossings.push_back(p.halfedge);
-    const Closed_strip strip(pm, crossings);
-    String_puller puller(pm);
-    return strip.is_degenerate() ? std::vector<Arc>()
-                                 : strip.shortest_loop(strip.foremost_corner(strip.inner_side()), puller);
-  }
-  Closed_curve curve;
-  for(std::size_t i = 0; i < trace.size(); ++i)
-  {
-    const Trace_point& p = trace[(first + i) % trace.size()];
-    curve.nodes.push_back(Closed_curve::Node{p.pivot, p.halfedge});
-  }
-  return arcs_of_curve(pm, curve);
-}
-
 // The hierarchy of simple closed geodesics of T^0 among each other: what is not among them is followed on to what it
 // slides to.
 inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm, const Surface_sides& sides,
-                                              const std::vector<std::vector<Trace_point>>& traces)
+                                              const std::vector<std::vector<Arc>>& curves)
 {
   Slides slides(pm, sides);
   std::vector<Index> numbers;
   std::unordered_map<Index, std::size_t> place;
-  for(const std::vector<Trace_point>& t : traces)
+  for(const std::vector<Arc>& arcs : curves)
   {
-    numbers.push_back(slides.enter(arcs_of_trace(pm, t)));
+    numbers.push_back(slides.enter(arcs));
     place.emplace(numbers.back(), numbers.size() - 1);
   }
   std::vector<Hierarchy_entry> result;
@@ -206,33 +181,6 @@ inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm, const 
       result.back().dominated_by = place.at(b->curve);
   }
   return result;
-}
-
-// The points of constrictions of a mesh on its copy.
-template <class TriangleMesh, class VertexIndexMap>
-std::vector<std::vector<Trace_point>> traces_of(const std::vector<Constriction<TriangleMesh>>& constrictions,
-                                                const Imported_mesh<TriangleMesh>& imported, VertexIndexMap vim,
-                                                const Progressive_mesh& pm)
-{
-  std::unordered_map<std::size_t, Index> index;
-  for(Index v = 0; v < imported.number_of_vertices(); ++v)
-    index.emplace(get(vim, imported.vertex(v)), v);
-  const TriangleMesh& tm = imported.mesh();
-  std::vector<std::vector<Trace_point>> traces;
-  for(const Constriction<TriangleMesh>& c : constrictions)
-  {
-    std::vector<Trace_point> trace;
-    for(const auto& l : c.locations())
-      if(l.is_pivot)
-        trace.push_back({index.at(get(vim, l.vertex)), null_index, 0});
-      else
-        trace.push_back(
-            {null_index,
-             pm.halfedge(index.at(get(vim, source(l.halfedge, tm))), index.at(get(vim, target(l.halfedge, tm)))),
-             l.parameter});
-    traces.push_back(std::move(trace));
-  }
-  return traces;
 }
 
 // What `compute_prominences()` does with arguments of the right kind.
@@ -293,7 +241,7 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
 /// \cgalNamedParamsEnd
 ///
 /// \return the output iterator, past the last element that was written
-/// \throws Invalid_input for a mesh that cannot be used
+/// \throws Invalid_input for a mesh that cannot be used, or if locations of a constriction are no curve on it
 /// \cost linear in the size of the mesh; plus, for each curve and each curve that it slides to, O(m log m) for the m
 ///       faces that are swept, and the tightening of O(log m) level sets
 ///
@@ -326,9 +274,9 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
   imported.rescale();
   const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
   std::vector<Constriction<TriangleMesh>> result(constrictions.begin(), constrictions.end());
-  const std::vector<std::vector<internal::Trace_point>> traces = internal::traces_of(result, imported, vim, pm);
+  const internal::Curves_on_copy<TriangleMesh, std::decay_t<decltype(vim)>> curves(result, imported, vim, pm);
   const internal::Surface_sides sides(pm);
-  internal::set_prominences(pm, sides, imported, traces, internal::hierarchy(pm, sides, traces), result);
+  internal::set_prominences(pm, sides, imported, curves.traces, internal::hierarchy(pm, sides, curves.arcs), result);
   return std::move(result.begin(), result.end(), out);
 }
 

@@ -57,7 +57,7 @@ Constriction<Mesh> led_past_pivot(const Mesh& mesh, const Constriction<Mesh>& cu
 {
   const Surface surface(mesh, mesh.points());
   internal::Sign_prover<Surface> prover(surface);
-  std::vector<Arc> arcs = internal::arcs_of_locations(prover, curve.locations()).arcs;
+  std::vector<Arc> arcs = internal::exact_arcs_of_locations(prover, curve.locations()).arcs;
   std::rotate(arcs.begin(), arcs.begin() + static_cast<std::ptrdiff_t>(pivot), arcs.end());
   Arc joined = arcs.back();
   internal::append_fan(surface, arcs.back(), arcs.front(), side, true, joined.crossings);

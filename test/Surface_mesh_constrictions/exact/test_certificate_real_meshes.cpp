@@ -176,7 +176,7 @@ TEST_P(GenusZero, GaussBonnetHoldsOnBothSides)
   internal::Sign_prover<Surface> prover(surface);
   std::vector<std::vector<internal::Exact_arc<Surface>>> arcs;
   for(const auto& c : found)
-    arcs.push_back(internal::arcs_of_locations(prover, c.locations()).arcs);
+    arcs.push_back(internal::exact_arcs_of_locations(prover, c.locations()).arcs);
 
   Interval::Protector upward;
   const internal::Interval_arithmetic<Surface> arithmetic(surface);

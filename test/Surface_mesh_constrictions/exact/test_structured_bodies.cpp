@@ -120,7 +120,7 @@ void expect_verdict_anew(const Curve& curve, Certificate_verdict verdict)
   internal::Certifier<Surface> certifier(surface);
   std::vector<internal::Exact_arc<Surface>> arcs;
   for(const internal::Arc& a : internal::arcs_of_curve(curve.network, curve.id))
-    arcs.push_back({a.from, a.to, a.along, {a.crossings.begin(), a.crossings.end()}, 0});
+    arcs.push_back({{a.from, a.to, a.along, {a.crossings.begin(), a.crossings.end()}}, 0});
   EXPECT_EQ(certifier.examine(arcs).certificate.verdict, verdict);
 }
 

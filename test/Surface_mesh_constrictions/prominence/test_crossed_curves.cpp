@@ -4,9 +4,9 @@
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Crossed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Curves_on_copy.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 
 #include <gtest/gtest.h>
@@ -43,11 +43,11 @@ TEST(CrossedCurves, TheDirectionsOfCurvesDoNotMatter)
     const Mesh mesh = real_meshes::read(name);
     const std::vector<SMC::Constriction<Mesh>> curves = detection::detect_all(mesh);
     const auto points = get(CGAL::vertex_point, mesh);
-    const auto numbers = get(boost::vertex_index, mesh);
+    auto numbers = get(boost::vertex_index, mesh);
     typedef SMC::internal::Imported_mesh<Mesh> Imported;
     Imported imported(mesh, points, numbers);
     const SMC::Progressive_mesh pm(imported.table, imported.points);
-    Traces traces = SMC::internal::traces_of(curves, imported, numbers, pm);
+    Traces traces = SMC::internal::Curves_on_copy<Mesh, decltype(numbers)>(curves, imported, numbers, pm).traces;
     const std::vector<std::vector<SMC::Index>> expected = crossings(pm, traces);
     std::size_t number = 0;
     for(const std::vector<SMC::Index>& e : expected)

@@ -177,6 +177,29 @@ TEST(Prominence, ComputedAfterwardsItIsWhatTheDetectionComputes)
   }
 }
 
+TEST(Prominence, LocationsThatAreNoClosedCurveOnTheMeshAreRefused)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.1, 3));
+  std::vector<Constriction> curves = detect_all(mesh);
+  ASSERT_GE(curves.size(), 2u);
+  Constriction::Data data = curves[1].data();
+  data.locations.pop_back();
+  curves[1] = Constriction(data);
+  std::vector<Constriction> again;
+  try
+  {
+    SMC::compute_prominences(mesh, curves, std::back_inserter(again));
+    FAIL() << "a gap";
+  }
+  catch(const SMC::Invalid_input& e)
+  {
+    EXPECT_EQ(e.defect(), SMC::Input_defect::INVALID_LOOP);
+    EXPECT_EQ(e.element(), 1u);
+    EXPECT_NE(std::string(e.what()).find("curve 1: point "), std::string::npos) << e.what();
+  }
+  EXPECT_TRUE(again.empty());
+}
+
 // The triangle (0,0) (2,0) (0,2) with values 0, 1, 2: the level set of 1 is the line from (2,0) to (0,1).
 SMC::internal::Level_lengths::Triangle triangle()
 {

@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Combinatorial_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
@@ -22,32 +23,15 @@ namespace internal {
 // A sequence of crossed halfedges. Each is crossed from its own face to the opposite one.
 typedef std::vector<Index> Strip;
 
-// The piece of a curve between two consecutive pivots: it runs along an edge, or straight through the strip of faces
-// between the crossed halfedges. The first crossed halfedge is opposite to `from` in its face, the last one opposite
-// to `to` in the face that it is crossed to.
-struct Arc
+// A piece of a curve on a progressive mesh between two pivots, measured.
+struct Arc : Combinatorial_arc<Index, Index, boost::container::small_vector<Index, 6>>
 {
-  Index from = null_index, to = null_index;
-  Index along = null_index;                           // the edge's halfedge out of `from`, or null_index
-  boost::container::small_vector<Index, 6> crossings; // empty if the arc runs along an edge
   double length = 0;
   double start_angle = 0; // at `from`, counterclockwise from start_halfedge() to the arc
   double end_angle = 0;   // at `to`, counterclockwise from end_halfedge() to the arc
 
-  bool is_edge() const { return along != null_index; }
+  Arc() { from = to = along = null_index; }
 };
-
-// The halfedge out of `from` that bounds clockwise the face that the arc leaves through, or that it runs along.
-inline Index start_halfedge(const Progressive_mesh& pm, const Arc& arc)
-{
-  return arc.is_edge() ? arc.along : pm.prev(arc.crossings.front());
-}
-
-// The halfedge out of `to` that bounds clockwise the face that the arc arrives through, or that it runs along.
-inline Index end_halfedge(const Progressive_mesh& pm, const Arc& arc)
-{
-  return arc.is_edge() ? pm.opposite(arc.along) : pm.prev(pm.opposite(arc.crossings.back()));
-}
 
 // Computes the length and the angles of an arc from its combinatorics alone, so that equal arcs have bitwise equal
 // lengths. Linear in the number of crossings.
@@ -137,42 +121,14 @@ inline bool is_hole_on_side(const Progressive_mesh& pm, const Arc& incoming, con
 }
 
 // Appends to `strip` the halfedges that a curve crosses when it passes the pivot between two arcs on the given side
-// instead of through it: the edges of the pivot strictly between the arcs. O(degree).
+// instead of through it. Of arcs in one face, or along its edge, one side holds no edge. O(degree).
 inline void append_fan(const Progressive_mesh& pm, const Arc& incoming, const Arc& outgoing, Curve_side side,
                        Strip& strip)
 {
-  const Index in = end_halfedge(pm, incoming), out = start_halfedge(pm, outgoing);
-  if(in == out)
-  {
-    // both arcs in one face, or along its edge: one side holds no edge
-    const bool none_on_left = incoming.end_angle >= outgoing.start_angle;
-    const bool none_on_right = incoming.end_angle <= outgoing.start_angle;
-    if(side == Curve_side::LEFT ? none_on_left : none_on_right)
-      return;
-  }
-  if(side == Curve_side::LEFT)
-  {
-    Index h = incoming.is_edge() ? pm.cw(in) : in;
-    do
-    {
-      if(h == out && in != out)
-        return;
-      strip.push_back(h);
-      h = pm.cw(h);
-    } while(h != out);
-  }
-  else
-  {
-    Index h = pm.ccw(in);
-    for(;; h = pm.ccw(h))
-    {
-      if(h == out && outgoing.is_edge())
-        return;
-      strip.push_back(pm.opposite(h));
-      if(h == out)
-        return;
-    }
-  }
+  append_fan(pm, incoming, outgoing, side,
+             side == Curve_side::LEFT ? incoming.end_angle < outgoing.start_angle
+                                      : incoming.end_angle > outgoing.start_angle,
+             strip);
 }
 
 } // namespace internal

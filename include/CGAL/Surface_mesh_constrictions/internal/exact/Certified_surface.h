@@ -5,13 +5,11 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Rational.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Graph_connectivity.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 
 #include <CGAL/Interval_nt.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <sstream>
@@ -58,77 +56,25 @@ Rational_point rational_point(const Point& p)
   return {{exact(p.x()), exact(p.y()), exact(p.z())}};
 }
 
-// The functions of a graph are found by the graph's own namespace, but not where members have the same names.
-namespace graph {
-
-template <class Halfedge, class Graph>
-Halfedge next_halfedge(Halfedge h, const Graph& g)
-{
-  return next(h, g);
-}
-
-template <class Halfedge, class Graph>
-Halfedge opposite_halfedge(Halfedge h, const Graph& g)
-{
-  return opposite(h, g);
-}
-
-template <class Halfedge, class Graph>
-auto source_vertex(Halfedge h, const Graph& g)
-{
-  return source(h, g);
-}
-
-template <class Halfedge, class Graph>
-auto target_vertex(Halfedge h, const Graph& g)
-{
-  return target(h, g);
-}
-
-template <class Halfedge, class Graph>
-Halfedge prev_halfedge(Halfedge h, const Graph& g)
-{
-  return prev(h, g);
-}
-
-template <class Vertex, class Graph>
-auto incoming_halfedge(Vertex v, const Graph& g)
-{
-  return halfedge(v, g);
-}
-
-} // namespace graph
-
-// A triangle mesh as it is. The ghost of a hole is its border: one face with many edges, which is gone around vertices
-// through, but never computed with.
+// A triangle mesh as it is.
 template <class TriangleMesh, class VertexPointMap>
-class Graph_surface
+class Graph_surface : public Graph_connectivity<TriangleMesh>
 {
+  typedef Graph_connectivity<TriangleMesh> Base;
+
 public:
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor Vertex;
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor Halfedge;
+  typedef typename Base::Vertex Vertex;
+  typedef typename Base::Halfedge Halfedge;
 
-  Graph_surface(const TriangleMesh& tm, VertexPointMap vpm) : m_tm(tm), m_vpm(vpm) {}
-
-  Halfedge next(Halfedge h) const { return graph::next_halfedge(h, m_tm); }
-  Halfedge opposite(Halfedge h) const { return graph::opposite_halfedge(h, m_tm); }
-  Vertex source(Halfedge h) const { return graph::source_vertex(h, m_tm); }
-  Vertex target(Halfedge h) const { return graph::target_vertex(h, m_tm); }
-  Halfedge outgoing(Vertex v) const { return opposite(graph::incoming_halfedge(v, m_tm)); }
-
-  // whether a halfedge lies in a hole
-  bool is_ghost(Halfedge h) const { return CGAL::is_border(h, m_tm); }
+  Graph_surface(const TriangleMesh& tm, VertexPointMap vpm) : Base(tm), m_vpm(vpm) {}
 
   // Throws Invalid_input if h is neither in a triangle nor in a hole. Whoever computes with a face asks for this.
   Halfedge prev(Halfedge h) const
   {
-    if(is_ghost(h))
-      return graph::prev_halfedge(h, m_tm);
-    const Halfedge result = next(next(h));
-    if(next(result) != h)
+    if(!this->is_ghost(h) && !this->is_triangle(h))
       throw Invalid_input(Input_defect::NOT_TRIANGULAR, 0,
                           "not a triangle mesh: a face at the edge " + place(h) + " does not have three vertices");
-    return result;
+    return Base::prev(h);
   }
 
   Interval_point interval_point(Vertex v) const { return internal::interval_point(get(m_vpm, v)); }
@@ -138,11 +84,10 @@ private:
   std::string place(Halfedge h) const
   {
     std::ostringstream out;
-    out << "from (" << get(m_vpm, source(h)) << ") to (" << get(m_vpm, target(h)) << ")";
+    out << "from (" << get(m_vpm, this->source(h)) << ") to (" << get(m_vpm, this->target(h)) << ")";
     return out.str();
   }
 
-  const TriangleMesh& m_tm;
   VertexPointMap m_vpm;
 };
 

@@ -3,6 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_EXACT_ARC_H
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_locations.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
 
 #include <CGAL/Interval_nt.h>
@@ -15,52 +16,15 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The piece of a curve between two consecutive pivots, as combinatorics alone.
+// A piece of a curve between two pivots, on a surface for the exact arithmetic.
 template <class Surface>
-struct Exact_arc
-{
-  typedef typename Surface::Vertex Vertex;
-  typedef typename Surface::Halfedge Halfedge;
-
-  Vertex from, to;
-  Halfedge along;                  // the edge's halfedge out of `from`, if there are no crossings
-  std::vector<Halfedge> crossings; // each is crossed from its own face to the opposite one
-  std::size_t location;            // of `from` in the curve
-
-  bool is_edge() const { return crossings.empty(); }
-};
-
-template <class Surface>
-typename Surface::Halfedge ccw(const Surface& s, typename Surface::Halfedge h)
-{
-  return s.opposite(s.prev(h));
-}
-
-template <class Surface>
-typename Surface::Halfedge cw(const Surface& s, typename Surface::Halfedge h)
-{
-  return s.next(s.opposite(h));
-}
+using Exact_arc = Located_arc<Surface>;
 
 // The same for both halfedges of an edge.
 template <class Surface>
 typename Surface::Halfedge edge(const Surface& s, typename Surface::Halfedge h)
 {
   return (std::min)(h, s.opposite(h));
-}
-
-// The halfedge out of `from` that bounds clockwise the face that the arc leaves through, or that it runs along.
-template <class Surface>
-typename Surface::Halfedge start_halfedge(const Surface& s, const Exact_arc<Surface>& arc)
-{
-  return arc.is_edge() ? arc.along : s.prev(arc.crossings.front());
-}
-
-// The halfedge out of `to` that bounds clockwise the face that the arc arrives through, or that it runs along.
-template <class Surface>
-typename Surface::Halfedge end_halfedge(const Surface& s, const Exact_arc<Surface>& arc)
-{
-  return arc.is_edge() ? s.opposite(arc.along) : s.prev(s.opposite(arc.crossings.back()));
 }
 
 // An unfolded halfedge that is crossed: as one goes out of its face, its target is on the left.
@@ -170,37 +134,6 @@ template <class Surface>
 typename Surface::Vertex corner_vertex(const Surface& s, typename Surface::Halfedge h, Curve_side side)
 {
   return side == Curve_side::LEFT ? s.target(h) : s.source(h);
-}
-
-// Appends the halfedges that a curve crosses when it passes the pivot between two arcs on the given side instead of
-// through it. `is_whole_turn` tells, for arcs in one face, that this side goes around the whole pivot. O(degree).
-template <class Surface>
-void append_fan(const Surface& s, const Exact_arc<Surface>& incoming, const Exact_arc<Surface>& outgoing,
-                Curve_side side, bool is_whole_turn, std::vector<typename Surface::Halfedge>& strip)
-{
-  const typename Surface::Halfedge in = end_halfedge(s, incoming), out = start_halfedge(s, outgoing);
-  if(in == out && !is_whole_turn)
-    return;
-  if(side == Curve_side::LEFT)
-  {
-    typename Surface::Halfedge h = incoming.is_edge() ? cw(s, in) : in;
-    do
-    {
-      if(h == out && in != out)
-        return;
-      strip.push_back(h);
-      h = cw(s, h);
-    } while(h != out);
-    return;
-  }
-  for(typename Surface::Halfedge h = ccw(s, in);; h = ccw(s, h))
-  {
-    if(h == out && outgoing.is_edge())
-      return;
-    strip.push_back(s.opposite(h));
-    if(h == out)
-      return;
-  }
 }
 
 } // namespace internal

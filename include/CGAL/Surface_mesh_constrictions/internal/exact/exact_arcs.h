@@ -20,7 +20,7 @@ std::vector<Exact_arc<Surface>> exact_arcs(const std::vector<Arc>& arcs)
   std::size_t location = 0;
   for(const Arc& a : arcs)
   {
-    result.push_back({a.from, a.to, a.along, {a.crossings.begin(), a.crossings.end()}, location});
+    result.push_back({{a.from, a.to, a.along, {a.crossings.begin(), a.crossings.end()}}, location});
     location += 1 + a.crossings.size();
   }
   return result;

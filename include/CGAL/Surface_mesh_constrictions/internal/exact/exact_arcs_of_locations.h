@@ -3,12 +3,14 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_EXACT_ARCS_OF_LOCATIONS_H
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_locations.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Flat_closed_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Prismatic_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -85,75 +87,16 @@ Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vec
   return result;
 }
 
-// Reads a curve off its locations: each a pivot, or a halfedge that is crossed. Linear, but for curves without pivots.
+// Reads a closed curve off its locations. Linear, but for curves without pivots.
 template <class Surface, class LocationRange>
-Located_arcs<Surface> arcs_of_locations(Sign_prover<Surface>& prover, const LocationRange& locations)
+Located_arcs<Surface> exact_arcs_of_locations(Sign_prover<Surface>& prover, const LocationRange& locations)
 {
-  typedef typename Surface::Halfedge Halfedge;
-  const Surface& s = prover.surface();
-  Located_arcs<Surface> result = {Certificate_verdict::NOT_A_CLOSED_CURVE, 0, {}};
-  const std::size_t n = locations.size();
-  const auto joins = [&](const auto& p, const auto& q) {
-    // no curve leaves the surface
-    for(const auto* l : {&p, &q})
-      if(!l->is_pivot && (s.is_ghost(l->halfedge) || s.is_ghost(s.opposite(l->halfedge))))
-        return false;
-    if(p.is_pivot && q.is_pivot)
-    {
-      Halfedge h = s.outgoing(p.vertex);
-      for(const Halfedge begin = h; s.target(h) != q.vertex;)
-        if((h = ccw(s, h)) == begin)
-          return false;
-      return true;
-    }
-    if(p.is_pivot)
-      return s.source(s.prev(q.halfedge)) == p.vertex;
-    const Halfedge o = s.opposite(p.halfedge);
-    return q.is_pivot ? s.source(s.prev(o)) == q.vertex : q.halfedge == s.next(o) || q.halfedge == s.prev(o);
-  };
-  std::size_t first = n;
-  for(std::size_t i = 0; i < n; ++i)
-  {
-    if(!joins(locations[i], locations[(i + 1) % n]))
-    {
-      result.location = i;
-      return result;
-    }
-    if(first == n && locations[i].is_pivot)
-      first = i;
-  }
-  if(n < 2)
-    return result;
-  if(first == n)
-  {
-    std::vector<Halfedge> strip;
-    for(const auto& l : locations)
-      strip.push_back(l.halfedge);
-    return arcs_of_strip(prover, strip);
-  }
-
-  for(std::size_t k = 0; k < n; ++k)
-  {
-    const std::size_t i = (first + k) % n;
-    const auto& l = locations[i];
-    if(!l.is_pivot)
-    {
-      result.arcs.back().crossings.push_back(l.halfedge);
-      continue;
-    }
-    Exact_arc<Surface> arc;
-    arc.from = l.vertex;
-    arc.location = i;
-    arc.along = s.outgoing(l.vertex);
-    const auto& following = locations[(i + 1) % n];
-    while(following.is_pivot && s.target(arc.along) != following.vertex)
-      arc.along = ccw(s, arc.along);
-    result.arcs.push_back(arc);
-  }
-  for(std::size_t a = 0; a < result.arcs.size(); ++a)
-    result.arcs[a].to = result.arcs[(a + 1) % result.arcs.size()].from;
-  result.verdict = Certificate_verdict::NOT_COMPUTED;
-  return result;
+  Arcs_of_locations<Surface> read = arcs_of_locations(prover.surface(), locations);
+  if(read.defect != Location_defect::NONE)
+    return {Certificate_verdict::NOT_A_CLOSED_CURVE, read.location, {}};
+  if(read.arcs.empty())
+    return arcs_of_strip(prover, read.closed_strip);
+  return {Certificate_verdict::NOT_COMPUTED, 0, std::move(read.arcs)};
 }
 
 } // namespace internal

@@ -54,10 +54,10 @@ public:
   bool is_same(const Place& a, const Place& b) const
   {
     const Arc &p = m_arcs[a.arc], &q = m_arcs[b.arc];
-    const std::size_t n = p.crossed.size();
-    if(p.is_closed != q.is_closed || n != q.crossed.size())
+    const std::size_t n = p.crossings.size();
+    if(p.is_closed != q.is_closed || n != q.crossings.size())
       return false;
-    const halfedge_descriptor h = p.crossed[a.position];
+    const halfedge_descriptor h = p.crossings[a.position];
     Walk w = walk(a, h), v = walk(b, h);
     if(!p.is_closed &&
        (w.is_forward ? w.position : n - 1 - w.position) != (v.is_forward ? v.position : n - 1 - v.position))
@@ -85,26 +85,26 @@ private:
 
   Walk walk(const Place& p, halfedge_descriptor across) const
   {
-    return {p.arc, p.position, m_arcs[p.arc].crossed[p.position] == across};
+    return {p.arc, p.position, m_arcs[p.arc].crossings[p.position] == across};
   }
 
   halfedge_descriptor crossed(const Walk& w) const
   {
-    const halfedge_descriptor h = m_arcs[w.arc].crossed[w.position];
+    const halfedge_descriptor h = m_arcs[w.arc].crossings[w.position];
     return w.is_forward ? h : opposite(h, m_tm);
   }
 
   double parameter(const Walk& w, halfedge_descriptor along) const
   {
     const Arc& arc = m_arcs[w.arc];
-    return arc.crossed[w.position] == along ? arc.parameters[w.position] : 1 - arc.parameters[w.position];
+    return arc.crossings[w.position] == along ? arc.parameters[w.position] : 1 - arc.parameters[w.position];
   }
 
   // False at the end of the arc, which is a pivot.
   bool advance(Walk& w) const
   {
     const Arc& arc = m_arcs[w.arc];
-    const std::size_t n = arc.crossed.size();
+    const std::size_t n = arc.crossings.size();
     if(!arc.is_closed && w.position == (w.is_forward ? n - 1 : 0))
       return false;
     w.position = (w.position + (w.is_forward ? 1 : n - 1)) % n;
@@ -114,14 +114,14 @@ private:
   void rewind(Walk& w) const
   {
     if(!m_arcs[w.arc].is_closed)
-      w.position = w.is_forward ? 0 : m_arcs[w.arc].crossed.size() - 1;
+      w.position = w.is_forward ? 0 : m_arcs[w.arc].crossings.size() - 1;
   }
 
   // Follows two arcs across the same halfedge until they part: -1 if the first is then on the side of the source.
   int parting(Walk a, Walk b) const
   {
     // periodic sequences that agree for as long as both periods together agree for ever
-    for(std::size_t n = m_arcs[a.arc].crossed.size() + m_arcs[b.arc].crossed.size(); n > 0; --n)
+    for(std::size_t n = m_arcs[a.arc].crossings.size() + m_arcs[b.arc].crossings.size(); n > 0; --n)
     {
       const halfedge_descriptor o = opposite(crossed(a), m_tm);
       // from the side of the source: out of the next edge, into the apex, out of the one before
@@ -141,12 +141,12 @@ private:
     const Arc &p = m_arcs[a.arc], &q = m_arcs[b.arc];
     if(!p.is_closed || !q.is_closed)
       return 0;
-    const std::size_t n = q.crossed.size(), steps = a.position % n;
-    const bool same_direction = p.crossed[a.position] == q.crossed[b.position];
+    const std::size_t n = q.crossings.size(), steps = a.position % n;
+    const bool same_direction = p.crossings[a.position] == q.crossings[b.position];
     const std::size_t beside = (b.position + (same_direction ? n - steps : steps)) % n;
-    const double t = p.parameters[0], u = parameter({b.arc, beside, true}, p.crossed[0]);
+    const double t = p.parameters[0], u = parameter({b.arc, beside, true}, p.crossings[0]);
     const int order = t <= u ? -1 : 1;
-    return p.crossed[a.position] == h ? order : -order;
+    return p.crossings[a.position] == h ? order : -order;
   }
 
   const TriangleMesh& m_tm;

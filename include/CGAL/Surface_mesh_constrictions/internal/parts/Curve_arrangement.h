@@ -86,7 +86,7 @@ public:
   {
     const std::size_t old_arcs = m_arcs.size(), old_crossings = m_crossings.size();
     Curve curve = {number, is_closed, {}};
-    for(Arc& arc : Arc_reader<TriangleMesh>(m_tm, locations, number, is_closed).arcs())
+    for(Arc& arc : surface_arcs(m_tm, locations, number, is_closed))
       add_arc(std::move(arc), curve);
     std::optional<std::size_t> crossed = crossed_by_arcs(old_arcs, curve);
     m_curves.push_back(std::move(curve));
@@ -120,14 +120,14 @@ public:
   {
     const Crossing& c = m_crossings[crossing];
     const double t = m_arcs[c.arc].parameters[c.position];
-    return m_arcs[c.arc].crossed[c.position] == m_edges[c.edge].halfedge ? t : 1 - t;
+    return m_arcs[c.arc].crossings[c.position] == m_edges[c.edge].halfedge ? t : 1 - t;
   }
 
   // the crossings before and after a strand; none where the arc begins or ends
   std::pair<std::optional<std::size_t>, std::optional<std::size_t>> ends(const Strand& s) const
   {
     const Arc& arc = m_arcs[s.arc];
-    const std::size_t n = arc.crossed.size();
+    const std::size_t n = arc.crossings.size();
     std::pair<std::optional<std::size_t>, std::optional<std::size_t>> result;
     if(arc.is_closed || s.position > 0)
       result.first = crossing(s.arc, (s.position + n - 1) % n);
@@ -209,10 +209,10 @@ private:
     m_first_crossing.push_back(m_crossings.size());
     if(added.is_edge())
     {
-      m_runs.emplace(edge(added.edge, m_tm), a);
+      m_runs.emplace(edge(added.along, m_tm), a);
       return;
     }
-    for(std::size_t i = 0; i < added.crossed.size(); ++i)
+    for(std::size_t i = 0; i < added.crossings.size(); ++i)
       add_crossing(a, i);
     for(std::size_t i = 0; i < added.number_of_strands(); ++i)
       m_faces[face_index(face_of_strand(added, i))].strands.push_back({a, i});
@@ -223,28 +223,28 @@ private:
     const Arc& arc = m_arcs[a];
     if(arc.is_edge())
     {
-      const auto run = m_runs.find(edge(arc.edge, m_tm));
+      const auto run = m_runs.find(edge(arc.along, m_tm));
       if(run == m_runs.end())
         return std::nullopt;
-      return Arc_use{run->second, m_arcs[run->second].edge == arc.edge};
+      return Arc_use{run->second, m_arcs[run->second].along == arc.along};
     }
-    const auto crossed = m_edge_index.find(edge(arc.crossed[0], m_tm));
+    const auto crossed = m_edge_index.find(edge(arc.crossings[0], m_tm));
     if(crossed == m_edge_index.end())
       return std::nullopt;
     for(std::size_t c : m_edges[crossed->second].crossings)
     {
       const Crossing& other = m_crossings[c];
       if(m_order.is_same({a, 0}, {other.arc, other.position}))
-        return Arc_use{other.arc, m_arcs[other.arc].crossed[other.position] == arc.crossed[0]};
+        return Arc_use{other.arc, m_arcs[other.arc].crossings[other.position] == arc.crossings[0]};
     }
     return std::nullopt;
   }
 
   void add_crossing(std::size_t a, std::size_t position)
   {
-    const auto inserted = m_edge_index.emplace(edge(m_arcs[a].crossed[position], m_tm), m_edges.size());
+    const auto inserted = m_edge_index.emplace(edge(m_arcs[a].crossings[position], m_tm), m_edges.size());
     if(inserted.second)
-      m_edges.push_back({m_arcs[a].crossed[position], {}});
+      m_edges.push_back({m_arcs[a].crossings[position], {}});
     const std::size_t e = inserted.first->second;
     const halfedge_descriptor h = m_edges[e].halfedge;
     m_crossings.push_back({a, position, e, 0});
@@ -270,7 +270,7 @@ private:
   // crossing, would take quadratic time.
   std::optional<std::size_t> rank_beside_neighbour(std::size_t a, std::size_t position) const
   {
-    const halfedge_descriptor from = m_arcs[a].crossed[position - 1], to = m_arcs[a].crossed[position];
+    const halfedge_descriptor from = m_arcs[a].crossings[position - 1], to = m_arcs[a].crossings[position];
     const Crossing& before = m_crossings[crossing(a, position - 1)];
     const Edge& edge_before = m_edges[before.edge];
     for(const bool is_lower : {true, false})
@@ -279,12 +279,12 @@ private:
         continue;
       const Crossing& beside = m_crossings[edge_before.crossings[is_lower ? before.rank - 1 : before.rank + 1]];
       const Arc& arc = m_arcs[beside.arc];
-      const std::size_t n = arc.crossed.size();
-      const bool is_forward = arc.crossed[beside.position] == from;
+      const std::size_t n = arc.crossings.size();
+      const bool is_forward = arc.crossings[beside.position] == from;
       if(!arc.is_closed && beside.position == (is_forward ? n - 1 : 0))
         continue;
       const std::size_t next = (beside.position + (is_forward ? 1 : n - 1)) % n;
-      if((is_forward ? arc.crossed[next] : opposite(arc.crossed[next], m_tm)) != to ||
+      if((is_forward ? arc.crossings[next] : opposite(arc.crossings[next], m_tm)) != to ||
          (beside.arc == a && next >= position))
         continue;
       const Crossing& neighbour = m_crossings[crossing(beside.arc, next)];
@@ -304,7 +304,7 @@ private:
   // of an arc with crossings
   face_descriptor face_of_strand(const Arc& arc, std::size_t i) const
   {
-    return face(i < arc.crossed.size() ? arc.crossed[i] : opposite(arc.crossed.back(), m_tm), m_tm);
+    return face(i < arc.crossings.size() ? arc.crossings[i] : opposite(arc.crossings.back(), m_tm), m_tm);
   }
 
   std::size_t face_index(face_descriptor f)
@@ -362,12 +362,12 @@ private:
       const Arc& arc = m_arcs[a];
       if(arc.is_edge())
       {
-        const auto beneath = m_edge_index.find(edge(arc.edge, m_tm));
+        const auto beneath = m_edge_index.find(edge(arc.along, m_tm));
         if(beneath != m_edge_index.end() && !m_edges[beneath->second].crossings.empty())
           return m_curve_of_arc[m_crossings[m_edges[beneath->second].crossings.front()].arc];
         continue;
       }
-      for(halfedge_descriptor h : arc.crossed)
+      for(halfedge_descriptor h : arc.crossings)
       {
         const auto run = m_runs.find(edge(h, m_tm));
         if(run != m_runs.end())
@@ -465,11 +465,11 @@ private:
     halfedge_descriptor outgoing;
     std::size_t rank = 0;
     if(arc.is_edge())
-      outgoing = ray.is_forward ? arc.edge : opposite(arc.edge, m_tm);
+      outgoing = ray.is_forward ? arc.along : opposite(arc.along, m_tm);
     else
     {
-      const std::size_t position = ray.is_forward ? 0 : arc.crossed.size() - 1;
-      const halfedge_descriptor h = ray.is_forward ? arc.crossed.front() : opposite(arc.crossed.back(), m_tm);
+      const std::size_t position = ray.is_forward ? 0 : arc.crossings.size() - 1;
+      const halfedge_descriptor h = ray.is_forward ? arc.crossings.front() : opposite(arc.crossings.back(), m_tm);
       outgoing = prev(h, m_tm);
       rank = place_of(crossing(ray.arc, position), h).rank;
     }
@@ -501,8 +501,8 @@ private:
     {
       const Arc& arc = m_arcs.back();
       if(arc.is_edge())
-        m_runs.erase(edge(arc.edge, m_tm));
-      for(halfedge_descriptor h : arc.crossed)
+        m_runs.erase(edge(arc.along, m_tm));
+      for(halfedge_descriptor h : arc.crossings)
         for(face_descriptor f : {face(h, m_tm), face(opposite(h, m_tm), m_tm)})
         {
           std::vector<Strand>& strands = m_faces[m_face_index.at(f)].strands;

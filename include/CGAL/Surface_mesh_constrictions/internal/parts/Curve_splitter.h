@@ -50,7 +50,7 @@ public:
       m_rings.push_back({i, face_ring(arrangement, i, h), {{h, next(h, tm), prev(h, tm)}}});
     }
     for(const auto& arc : arrangement.arcs())
-      m_halfedges.emplace_back(arc.number_of_strands(), arc.edge);
+      m_halfedges.emplace_back(arc.number_of_strands(), arc.along);
   }
 
   // Linear in the number of crossings, times the logarithm of their number on one edge.

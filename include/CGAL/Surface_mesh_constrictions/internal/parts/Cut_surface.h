@@ -80,7 +80,7 @@ public:
     for(std::size_t a = 0; a < arrangement.arcs().size(); ++a)
       if(arrangement.arcs()[a].is_edge())
       {
-        const halfedge_descriptor along = arrangement.arcs()[a].edge;
+        const halfedge_descriptor along = arrangement.arcs()[a].along;
         const std::size_t h = is_border(along, imported.mesh())
                                   ? sides[number_of(opposite(along, imported.mesh()))].opposite
                                   : number_of(along);
