@@ -84,15 +84,15 @@ function stepsOf({curves, arrays}, isShown) {
 // Returns the direction from which the most of the curves is seen for which `isShown(c)`: the length that is on the
 // visible side of the surface and behind nothing, times the prominence. The `direction` of the usual view is taken unless
 // another one shows clearly more, and directions along `up` are avoided. Cost: a picture of a surface of some thousand
-// faces for each of 97 directions.
+// faces for each of 49 directions.
 export function firstView(data, isShown, {direction, up}) {
   const steps = stepsOf(data, isShown), all = steps.reduce((sum, {weight}) => sum + weight, 0);
   const usual = direction.clone().normalize();
   if (all === 0)
     return usual;
-  const surface = coarseSurface(data.arrays, 4000);
+  const surface = coarseSurface(data.arrays, 2500);
   let best = usual, greatest = -Infinity;
-  for (const d of [usual, ...directions]) {
+  for (const d of [usual, ...directions.filter((_, i) => i % 2 === 0)]) {
     const aside = Math.abs(d.dot(up)) < 0.99 ? up : new Vector3(up.z, up.x, up.y);
     const u = new Vector3().crossVectors(aside, d).normalize(), v = new Vector3().crossVectors(d, u);
     const front = depths(surface, d, u, v);

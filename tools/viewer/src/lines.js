@@ -17,10 +17,10 @@ export class ClosedLine {
       const material = new LineMaterial({depthTest, transparent: !depthTest, depthWrite: depthTest});
       const result = new Line2(this.geometry, material);
       result.renderOrder = order;
-      // widths are in pixels of the page, also where only a part of the canvas is drawn on
+      // widths are in pixels of the page, also where only a part of the canvas is drawn on; in a small one half of that
       result.onBeforeRender = renderer => {
         const {z: width, w: height} = renderer.getCurrentViewport(viewport).divideScalar(renderer.getPixelRatio());
-        material.resolution.set(width, height);
+        material.resolution.set(width, height).multiplyScalar(height < 200 ? 2 : 1);
       };
       return result;
     };

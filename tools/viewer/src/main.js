@@ -171,8 +171,9 @@ function place(isResult, colourOf, brightness) {
     surface.place(moves || alone >= 0 ? moveOf : null);
   drawn.moves = moves ? moves.curves : null;
   const isOpen = isResult && (moves !== null || alone >= 0);
+  // a curve around an opening has the body on its outside
   lids.set(!isOpen ? [] : division.between.flatMap((pairs, c) => [...new Set(pairs.flat())]
-    .filter(p => alone < 0 || p === alone)
+    .filter(p => curves[c].side !== 'complement' && (alone < 0 || p === alone))
     .map(p => ({points: drawn.points(c), move: moveOfPart[p], colour: colourOf(p)}))), brightness);
   surface.showInside(isOpen || section.isOn, brightness);
   if (stage)
@@ -396,6 +397,7 @@ function follow() {
   }
   if (stage) {
     stage.hiddenBelow = isBare ? 0 : document.getElementById('player').offsetHeight + 16;
+    stage.hiddenAbove = isBare ? 0 : document.getElementById('tools').offsetHeight + 12;
     stage.inset.isAllowed = !isBare;
     stage.resize();
     stage.look({...home, ...asked.target && {target: onPage(asked.target)}, radius: stage.radius / (asked.zoom ?? 1)}, 0);

@@ -48,17 +48,15 @@ export function numbersOfParts(numberOfParts, curves, chosen) {
 export function placesOfParts(numberOfParts, {points, faces, parts}) {
   const result = Array.from({length: numberOfParts}, () => ({faces: 0, weight: 0, sum: new Vector3(),
     low: new Vector3(Infinity, Infinity, Infinity), high: new Vector3(-Infinity, -Infinity, -Infinity)}));
-  const a = new Vector3(), b = new Vector3(), c = new Vector3(), u = new Vector3();
+  const a = new Vector3(), b = new Vector3(), c = new Vector3(), u = new Vector3(), v = new Vector3();
   for (let f = 0; 3 * f < faces.length; ++f) {
     const part = result[parts[f]];
     a.fromArray(points, 3 * faces[3 * f]);
     b.fromArray(points, 3 * faces[3 * f + 1]);
     c.fromArray(points, 3 * faces[3 * f + 2]);
-    for (const p of [a, b, c]) {
-      part.low.min(p);
-      part.high.max(p);
-    }
-    const area = u.subVectors(b, a).cross(c.clone().sub(a)).length() / 2;
+    part.low.min(a).min(b).min(c);
+    part.high.max(a).max(b).max(c);
+    const area = u.subVectors(b, a).cross(v.subVectors(c, a)).length() / 2;
     ++part.faces;
     part.weight += area;
     part.sum.addScaledVector(a.add(b).add(c), area / 3);

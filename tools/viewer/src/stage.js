@@ -77,7 +77,7 @@ export class Stage {
 
     this.light = new DirectionalLight(0xffffff, 2.2);
     this.scene.add(new HemisphereLight(0xffffff, light(0x8d8a86), 1.5), this.light, this.light.target);
-    this.hiddenBelow = 0; // what is in front of the canvas at its lower end, in pixels
+    this.hiddenBelow = this.hiddenAbove = 0; // what is in front of the canvas at its ends, in pixels
     this.isDirty = true;
     this.waiting = [];
     new ResizeObserver(() => this.resize()).observe(canvas);
@@ -98,7 +98,7 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.setViewOffset(width, height, 0, this.hiddenBelow / 2, width, height);
+    this.camera.setViewOffset(width, height, 0, (this.hiddenBelow - this.hiddenAbove) / 2, width, height);
     this.controls.handleResize();
     this.invalidate();
   }
@@ -147,7 +147,8 @@ export class Stage {
 
   // From how far away a ball of this radius is seen.
   distanceOf(radius) {
-    return distanceFor(radius, this.aspect) * this.canvas.clientHeight / (this.canvas.clientHeight - this.hiddenBelow);
+    const height = this.canvas.clientHeight, free = height - this.hiddenBelow - this.hiddenAbove;
+    return distanceFor(radius, this.canvas.clientWidth / free) * height / free;
   }
 
   // The ray through a place of the canvas, in pixels.

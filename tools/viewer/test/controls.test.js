@@ -9,28 +9,29 @@ import {count, covered, difference, meshes, open, pixels, settled, state, useBro
 
 const desk = {width: 1200, height: 800}, phone = {width: 390, height: 844};
 
-// A place of the canvas where a pixel fulfils a condition, a function of [r, g, b, a] as text.
-const placeOf = (tab, condition) => tab.evaluate(async condition => {
+// A place of the canvas, with nothing in front of it, where there is a curve, a part between curves, or nothing.
+const placeOf = (tab, what) => tab.evaluate(async what => {
   await window.viewer.settled();
-  const test = new Function('r', 'g', 'b', 'a', `return ${condition}`);
+  const test = {
+    curve: (r, g, b) => r === 0xd5 && g === 0x5e && b === 0,
+    part: (r, g, b, a) => a === 255 && r !== 0xd5 && Math.abs(r - g) + Math.abs(g - b) > 30,
+    nothing: (r, g, b, a) => a === 0,
+  }[what];
   const canvas = document.getElementById('canvas'), gl = canvas.getContext('webgl2');
   const {width, height} = canvas, data = new Uint8Array(4 * width * height);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data);
   const box = canvas.getBoundingClientRect();
-  // from the middle outwards, where nothing is in front of the canvas
-  const middle = Math.floor(height / 2);
-  for (let k = 0; k < height; ++k) {
-    const y = middle + (k % 2 ? 1 : -1) * Math.ceil(k / 2);
-    for (let x = 0; x < width && y >= 0 && y < height; ++x) {
-      const place = [box.left + x / width * box.width, box.bottom - y / height * box.height];
-      if (test(...data.subarray(4 * (y * width + x), 4 * (y * width + x) + 4)) && document.elementFromPoint(...place) === canvas)
-        return place;
-    }
+  const margin = what === 'curve' ? 0 : 3, isThere = i => test(...data.subarray(4 * i, 4 * i + 4));
+  for (let i = margin * width; i < (height - margin) * width; ++i) {
+    const place = [box.left + (i % width + 0.5) / width * box.width,
+      box.bottom - (Math.floor(i / width) + 0.5) / height * box.height];
+    if ([0, margin, -margin, margin * width, -margin * width].every(step => isThere(i + step))
+        && document.elementFromPoint(...place) === canvas)
+      return place;
   }
   return null;
-}, condition);
+}, what);
 
-const onCurve = 'r === 0xd5 && g === 0x5e && b === 0';
 // The rectangle of what can be seen, if need be after scrolling.
 const inView = async (tab, selector) => {
   await tab.locator(selector).scrollIntoViewIfNeeded();
@@ -67,14 +68,14 @@ describe('the controls', () => {
 
   it('names what the pointer is on', async () => {
     const hover = tab.locator('#hover'), cursor = () => tab.evaluate(() => getComputedStyle(document.getElementById('canvas')).cursor);
-    const place = await placeOf(tab, onCurve);
+    const place = await placeOf(tab, 'curve');
     await tab.mouse.move(...place);
     await hover.filter({hasText: /^Constriction \d+ · neck · length [\d.]+ · prominence [\d.]+$/}).waitFor();
     assert.equal(await cursor(), 'pointer');
     assert.ok((await state(tab)).hovered >= 0);
-    await tab.mouse.move(...await placeOf(tab, 'a === 255 && Math.abs(r - g) + Math.abs(g - b) > 30 && r !== 0xd5'));
+    await tab.mouse.move(...await placeOf(tab, 'part'));
     await hover.filter({hasText: /^(Part|Constriction) \d+/}).waitFor();
-    await tab.mouse.move(...await placeOf(tab, 'a === 0'));
+    await tab.mouse.move(...await placeOf(tab, 'nothing'));
     await hover.waitFor({state: 'hidden'});
     assert.equal(await cursor(), 'auto');
     assert.equal((await state(tab)).hovered, -1);
@@ -138,6 +139,7 @@ describe('the controls', () => {
   });
 
   it('draws the parts apart', async () => {
+    await tab.locator('#parts-tab').click();
     const before = covered(await pixels(tab)), box = await tab.evaluate(() => window.viewer.state().position);
     await value(tab, '#apart', 100);
     const s = await state(tab);
@@ -145,7 +147,7 @@ describe('the controls', () => {
     assert.ok(Math.hypot(...s.position) > Math.hypot(...box), 'what is apart does not fit into the view');
     assert.ok(covered(await pixels(tab)) < before);
     // a curve is where it is drawn
-    await tab.mouse.move(...await placeOf(tab, onCurve));
+    await tab.mouse.move(...await placeOf(tab, 'curve'));
     await tab.locator('#hover').filter({hasText: /^Constriction/}).waitFor();
     await tab.mouse.move(1199, 799);
     await value(tab, '#apart', 0);
@@ -154,6 +156,7 @@ describe('the controls', () => {
   });
 
   it('has as many parts as are asked for, cut by the most prominent curves', async () => {
+    await tab.locator('#parts-tab').click();
     const slider = tab.locator('#number-of-parts');
     const [least, most] = [Number(await slider.getAttribute('min')), Number(await slider.getAttribute('max'))];
     assert.equal(least, 1);
