@@ -397,7 +397,7 @@ function follow() {
   }
   if (stage) {
     stage.hiddenBelow = isBare ? 0 : document.getElementById('player').offsetHeight + 16;
-    stage.hiddenAbove = isBare ? 0 : document.getElementById('tools').offsetHeight + 12;
+    stage.hiddenAbove = isBare ? 0 : document.getElementById('tools').offsetHeight;
     stage.inset.isAllowed = !isBare;
     stage.resize();
     stage.look({...home, ...asked.target && {target: onPage(asked.target)}, radius: stage.radius / (asked.zoom ?? 1)}, 0);
@@ -426,6 +426,7 @@ window.addEventListener('hashchange', follow);
 // For scripts that take pictures and for tests.
 window.viewer = {
   data,
+  drawn,
   playback,
   settled: () => stage ? stage.settled() : Promise.resolve(),
   state: () => ({

@@ -7,13 +7,16 @@ import {join} from 'node:path';
 import {count, covered, difference, folder, meshes, open, pixels, settled, state, useBrowser, vermillion, write, yellow}
   from './pages.js';
 
-// A dumbbell: a surface of revolution, closed by a vertex at each end, as the text of an OFF file.
-function dumbbell(rings, corners) {
+// A dumbbell: a surface of revolution, closed by a vertex at each end, as the text of an OFF file. Its radius is not even,
+// by such a share of it.
+function dumbbell(rings, corners, roughness = 0) {
   const points = ['0 0 -1.2'], faces = [];
   for (let i = 0; i < rings; ++i) {
     const z = -1.2 + 2.4 * (i + 1) / (rings + 1), r = Math.sqrt(1.44 - z * z) * (0.2 + z * z);
-    for (let j = 0; j < corners; ++j)
-      points.push(`${r * Math.cos(2 * Math.PI * j / corners)} ${r * Math.sin(2 * Math.PI * j / corners)} ${z}`);
+    for (let j = 0; j < corners; ++j) {
+      const angle = 2 * Math.PI * j / corners, x = r * (1 + roughness * Math.sin(2.1 * i) * Math.sin(1.7 * j));
+      points.push(`${x * Math.cos(angle)} ${x * Math.sin(angle)} ${z}`);
+    }
   }
   points.push('0 0 1.2');
   const vertex = (i, j) => 1 + i * corners + j % corners;
@@ -275,6 +278,45 @@ describe('the viewer', () => {
       `Drawn with ${faces.toLocaleString('en')} faces, simplified. The curves are exact, on the surface of the file.`);
     await tab.locator('#level').fill(await tab.locator('#level').evaluate(input => String(input.max - 1)));
     assert.match(await tab.locator('#status').textContent(), /Level 0 .*52,802 vertices.*drawn on a coarser level/);
+    await tab.close();
+  });
+
+  it('draws the curves of a simplified surface on that', async () => {
+    const file = join(folder, 'rough.off');
+    writeFileSync(file, dumbbell(300, 260, 0.004));
+    const tab = await open(write(file, '--seeds', 'triangles', '--no-certify'));
+    // how high above the surface a point is, along the normal of the input there
+    const {lifted, exact} = await tab.evaluate(() => {
+      const {data, drawn} = window.viewer, {levels_points: p, levels_faces: faces, curve_points, curve_normals} = data.arrays;
+      const difference = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+      const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+      const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+      const height = (x, n) => {
+        let best = Infinity;
+        for (let f = 0; f < faces.length; f += 3) {
+          const [a, b, c] = [0, 1, 2].map(i => difference(p.subarray(3 * faces[f + i], 3 * faces[f + i] + 3), x));
+          // the signs of the volumes over the edges say whether the line through x meets the face
+          if (Math.abs(a[0]) < 0.1 && Math.abs(a[1]) < 0.1 && Math.abs(a[2]) < 0.1
+              && dot(cross(a, b), n) > 0 && dot(cross(b, c), n) > 0 && dot(cross(c, a), n) > 0) {
+            const normal = cross(difference(b, a), difference(c, a));
+            best = Math.min(best, Math.abs(dot(a, normal) / dot(n, normal)));
+          }
+        }
+        return best;
+      };
+      const lifted = [], exact = [], points = drawn.points(0);
+      for (let i = 0; i < points.length; i += 12) {
+        const n = Array.from(curve_normals.subarray(i, i + 3)), length = Math.hypot(...n), unit = n.map(x => x / length);
+        lifted.push(height(points.subarray(i, i + 3), unit));
+        exact.push(height(curve_points.subarray(i, i + 3), unit));
+      }
+      return {lifted, exact};
+    });
+    assert.ok(exact.some(h => h > 1e-4 && h < 1), 'the curve is on the simplified surface anyway');
+    const known = lifted.filter(h => h < 1); // of a line along an edge of the surface it is not known
+    assert.ok(known.length > 0.8 * lifted.length);
+    for (const h of known)
+      assert.ok(Math.abs(h - 0.003) < 1e-5, `the curve is ${h} above the surface`);
     await tab.close();
   });
 });
