@@ -100,6 +100,23 @@ double area(const std::vector<double>& points, const std::vector<double>& faces)
   return sum;
 }
 
+double volume(const std::vector<double>& points, const std::vector<double>& faces)
+{
+  double sum = 0;
+  for(std::size_t f = 0; f < faces.size(); f += 3)
+  {
+    const auto x = [&](std::size_t corner, std::size_t i) {
+      return points.at(3 * static_cast<std::size_t>(faces[f + corner]) + i);
+    };
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      sum += x(0, i) * (x(1, j) * x(2, k) - x(1, k) * x(2, j)) / 6;
+    }
+  }
+  return sum;
+}
+
 double length(const std::vector<double>& points, std::size_t begin, std::size_t end)
 {
   double sum = 0;
@@ -166,6 +183,7 @@ protected:
     EXPECT_NEAR(area(page.numbers("surface_points"), faces), whole, 1e-5 * whole);
     EXPECT_EQ(parts.size(), faces.size() / 3);
     EXPECT_EQ(*std::max_element(parts.begin(), parts.end()) + 1, page.data.at("number_of_parts"));
+    expect_consistent_sizes(page);
 
     const std::vector<double> points = page.numbers("curve_points"), begins = page.numbers("curve_begins");
     const json& curves = page.data.at("curves");
@@ -180,6 +198,29 @@ protected:
     }
 
     expect_consistent_levels(page, whole);
+  }
+
+  // Each part has the area that its faces have, and the volumes add up to that of the mesh.
+  void expect_consistent_sizes(const Page& page) const
+  {
+    const double radius = page.data.at("radius");
+    const std::vector<double> points = page.numbers("surface_points"), faces = page.numbers("surface_faces"),
+                              part_of_face = page.numbers("surface_parts");
+    const json& parts = page.data.at("parts");
+    ASSERT_EQ(parts.size(), page.data.at("number_of_parts"));
+    double sum = 0;
+    for(std::size_t p = 0; p < parts.size(); ++p)
+    {
+      std::vector<double> own;
+      for(std::size_t f = 0; f < part_of_face.size(); ++f)
+        if(part_of_face[f] == static_cast<double>(p))
+          own.insert(own.end(), {faces[3 * f], faces[3 * f + 1], faces[3 * f + 2]});
+      const double expected = area(points, own) * radius * radius;
+      EXPECT_NEAR(parts[p].at("area").get<double>(), expected, 1e-4 * expected);
+      sum += parts[p].at("volume").get<double>();
+    }
+    const double expected = volume(points, faces) * radius * radius * radius;
+    EXPECT_NEAR(sum, expected, 1e-4 * std::abs(expected));
   }
 
   void expect_consistent_levels(const Page& page, double whole) const
@@ -225,7 +266,8 @@ TEST_F(View, holds_what_detect_finds)
     ASSERT_EQ(curves.size(), expected.at("constrictions").size());
     EXPECT_FALSE(curves.empty());
     for(std::size_t c = 0; c < curves.size(); ++c)
-      for(const char* key : {"length", "prominence", "dominated_by", "side", "certificate", "separating"})
+      for(const char* key : {"length", "diameter", "centroid", "prominence", "dominated_by", "side", "certificate",
+                              "separating"})
         EXPECT_EQ(curves[c].at(key), expected.at("constrictions")[c].at(key)) << key << " of " << c;
     EXPECT_EQ(page.data.at("prominence"), 0.05);
   }

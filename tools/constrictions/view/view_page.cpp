@@ -205,6 +205,8 @@ Json curves_as_json(const Report& report, const Parts& parts)
       if(a.curve == id)
         adjacent.push_back(a.parts);
     result.push_back({{"length", c.length()},
+                      {"diameter", c.diameter()},
+                      {"centroid", c.centroid()},
                       {"prominence", c.prominence()},
                       {"dominated_by", c.dominated_by() ? Json(*c.dominated_by()) : Json()},
                       {"side", side_name(c.side())},
@@ -216,6 +218,16 @@ Json curves_as_json(const Report& report, const Parts& parts)
                       {"cuts", parts.outcomes[id].is_used},
                       {"parts", adjacent}});
   }
+  return result;
+}
+
+// The page adds up what lies between curves that it does not show: the caps on the two sides of a cut are the same
+// surface, so that volumes can be added.
+Json sizes_of_parts(const Parts& parts)
+{
+  Json result = Json::array();
+  for(const Part& p : parts.parts)
+    result.push_back({{"area", p.area}, {"volume", p.volume}}); // NaN becomes null
   return result;
 }
 
@@ -273,6 +285,7 @@ std::string view_page(const Report& report, const Parts& parts, const Playback& 
                      {"radius", frame.radius()},
                      {"is_simplified", is_simplified},
                      {"number_of_parts", parts.parts.size()},
+                     {"parts", sizes_of_parts(parts)},
                      {"prominence", prominence},
                      {"curves", curves_as_json(report, parts)},
                      {"playback", playback_as_json(playback)},

@@ -7,10 +7,16 @@ import {Color} from 'three/build/three.module.js';
 export const gamma = 2.2;
 export const light = colour => new Color(colour).convertGammaToLinear(gamma);
 
+// The colour for CSS that looks as light does on the screen.
+export const css = light => `#${light.clone().convertLinearToGamma(gamma).getHexString()}`;
+
 export const sides = {
-  object: {colour: '#d55e00', text: 'chokes the object'},
-  complement: {colour: '#0072b2', text: 'chokes the space around it'},
-  mixed: {colour: '#009e73', text: 'chokes both in part'},
+  object: {colour: '#d55e00', name: 'necks', words: 'neck',
+    text: 'object: the body is narrow there, and a rubber band around it stays'},
+  complement: {colour: '#0072b2', name: 'openings', words: 'opening',
+    text: 'complement: the space outside is narrow there, as in a hole, and the band lies around that'},
+  mixed: {colour: '#009e73', name: 'mixed', words: 'neck and opening',
+    text: 'mixed: along a part of the band the body is narrow, along another the space outside'},
 };
 export const selection = '#f0e442';
 export const seed = '#f0e442';
@@ -26,5 +32,6 @@ export function scheme(theme) {
     parts: partHues.map(hue => light(hue).lerp(toward, 0.5)),
     casing: dark ? '#ffffff' : '#14171a',
     edges: dark ? '#000000' : '#20252b',
+    inside: dark ? 0.3 : 0.45, // the brightness of what is seen through a cut
   };
 }

@@ -24,6 +24,8 @@ export function listenToKeys(document, actions) {
       e: () => actions.edges(),
       t: () => actions.theme(),
       r: () => actions.whole(),
+      s: () => actions.section(),
+      x: () => actions.apart(),
     };
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     if (!Object.hasOwn(keys, key) || (isSlider && key.startsWith('Arrow')) || (isButton && key === ' '))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the colours mean.
-import {scheme, seed, selection, sides} from './colours.js';
+import {css, scheme, seed, selection, sides} from './colours.js';
 
 const chip = (colour, className) => {
   const result = document.createElement('span');
@@ -17,10 +17,10 @@ export function showLegend(into, theme) {
     dd.textContent = text;
     into.append(dt, dd);
   };
-  for (const [name, {colour, text}] of Object.entries(sides))
-    entry([chip(colour, '')], `${name}: ${text}`);
+  for (const {colour, name, text} of Object.values(sides))
+    entry([chip(colour, '')], `${name} – ${text}`);
   entry([chip(selection, 'full')], 'around a curve: selected; its pivots are dots');
   entry([chip(seed, 'full')], 'around a curve or across it, in the playback: a seed that has just appeared');
-  entry(scheme(theme).parts.slice(0, 3).map(c => chip(`#${c.getHexString()}`, 'full')),
+  entry(scheme(theme).parts.slice(0, 3).map(c => chip(css(c), 'full')),
     'parts between the curves that are shown; the colours tell neighbours apart');
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closed lines of a width in pixels, on a wider line of another colour, their casing.
-import {Group} from 'three/build/three.module.js';
+import {Group, Vector4} from 'three/build/three.module.js';
 import {Line2} from 'three/examples/jsm/lines/Line2.js';
 import {LineGeometry} from 'three/examples/jsm/lines/LineGeometry.js';
 import {LineMaterial} from 'three/examples/jsm/lines/LineMaterial.js';
 import {light} from './colours.js';
+
+const viewport = new Vector4();
 
 export class ClosedLine {
   // `points` are coordinates, the first point is not repeated
@@ -15,8 +17,11 @@ export class ClosedLine {
       const material = new LineMaterial({depthTest, transparent: !depthTest, depthWrite: depthTest});
       const result = new Line2(this.geometry, material);
       result.renderOrder = order;
-      // widths are in pixels of the page
-      result.onBeforeRender = renderer => renderer.getSize(material.resolution);
+      // widths are in pixels of the page, also where only a part of the canvas is drawn on; in a small one half of that
+      result.onBeforeRender = renderer => {
+        const {z: width, w: height} = renderer.getCurrentViewport(viewport).divideScalar(renderer.getPixelRatio());
+        material.resolution.set(width, height).multiplyScalar(height < 200 ? 2 : 1);
+      };
       return result;
     };
     this.ghost = line(false, 1);

@@ -5,8 +5,9 @@ import {sides} from './colours.js';
 const integer = new Intl.NumberFormat('en');
 export const counted = (n, one, many = one + 's') => `${integer.format(n)} ${n === 1 ? one : many}`;
 export const rounded = x => x === Infinity ? '∞' : Number(x.toPrecision(3)).toString();
+export const percent = x => `${rounded(Number((100 * x).toPrecision(2)))}%`;
 
-const element = (name, className, text) => {
+export const element = (name, className, text) => {
   const result = document.createElement(name);
   if (className)
     result.className = className;
@@ -15,7 +16,54 @@ const element = (name, className, text) => {
   return result;
 };
 
-const certificates = {strict_constriction: 'strict constriction', constriction: 'constriction'};
+// What the certificates say, and what that means.
+const certificates = {
+  strict_constriction: ['strict', 'proved with exact arithmetic: every curve near it is longer'],
+  constriction: ['not strict', 'proved with exact arithmetic: no curve near it is shorter, but some are as long'],
+};
+const certificate = curve => certificates[curve.certificate] ?? ['not proved', curve.certificate];
+
+// What is worth saying of the curves of a page: of what they all have in common one sentence speaks.
+class Facts {
+  constructor(curves) {
+    const differ = of => new Set(curves.map(of)).size > 1;
+    this.tellsSide = differ(c => c.side);
+    this.tellsCertificate = differ(c => c.certificate);
+    this.tellsSeparating = differ(c => c.separating);
+    const said = [];
+    if (curves.length > 1) {
+      if (!this.tellsSide)
+        said.push(sides[curves[0].side].name);
+      if (!this.tellsCertificate && certificates[curves[0].certificate])
+        said.push(curves[0].certificate === 'constriction' ? 'proved, none strict' : 'proved strict');
+      if (!this.tellsSeparating && !curves[0].separating)
+        said.push('not separating');
+    }
+    this.inCommon = said.length > 0 ? `All are ${said.join(', ')}` : '';
+    // alone there is nothing to differ from
+    this.isAlone = curves.length === 1;
+  }
+
+  // In what a curve differs. `pairs` are the parts on its sides.
+  of(curve, pairs, standsFor) {
+    const result = [];
+    if (this.tellsSide || this.isAlone)
+      result.push(sides[curve.side].words);
+    const parts = [...new Set(pairs.flat())].sort((p, q) => p - q);
+    if (parts.length > 0)
+      result.push(parts.length === 1 ? `in part ${parts[0]}`
+        : `parts ${parts.slice(0, -1).join(', ')} and ${parts[parts.length - 1]}`);
+    if (!curve.separating && (this.tellsSeparating || this.isAlone))
+      result.push('does not separate');
+    if (this.tellsCertificate || this.isAlone || !certificates[curve.certificate])
+      result.push(certificate(curve)[0]);
+    if (!curve.cuts)
+      result.push('crosses a more prominent one');
+    if (standsFor > 0)
+      result.push(`stands for ${standsFor} weaker`);
+    return result.join(' · ');
+  }
+}
 
 function row(curve, c, greatest) {
   const button = element('button');
@@ -30,11 +78,7 @@ function row(curve, c, greatest) {
   fill.style.width = `${100 * Math.min(1, curve.prominence / greatest)}%`;
   bar.append(fill);
   prominence.append(bar);
-  const certificate = certificates[curve.certificate] ?? curve.certificate.replace('_', ' ');
   const more = element('span', 'more');
-  more.title = certificates[curve.certificate] ? 'proved with exact arithmetic' : curve.certificate;
-  const text = [curve.side, certificate, curve.separating ? 'separates' : 'does not separate'].join(' · ');
-  more.append(element('span', 'about', text), element('span', 'hidden-below'));
   button.append(chip, what, prominence, more);
   const item = element('li');
   item.append(button);
@@ -43,19 +87,20 @@ function row(curve, c, greatest) {
 
 // Buttons that show and hide the constrictions of each side, of those sides that occur.
 export class SideFilter {
+  // `onChange()` is called when others are to be shown.
   constructor(curves, onChange) {
+    this.curves = curves;
     this.hidden = new Set();
     this.buttons = new Map();
     this.onChange = onChange;
-    for (const [side, {colour, text}] of Object.entries(sides)) {
-      const count = curves.filter(c => c.side === side).length;
-      if (count === 0)
+    for (const [side, {colour, text, name}] of Object.entries(sides)) {
+      if (!curves.some(c => c.side === side))
         continue;
       const button = element('button');
       button.type = 'button';
       button.title = text;
       button.style.setProperty('--chip', colour);
-      button.append(element('span', 'chip'), element('span', '', `${side} ${count}`));
+      button.append(element('span', 'chip'), element('span', '', name), element('span', 'number'));
       button.addEventListener('click', () => this.set(side, this.hidden.has(side)));
       this.buttons.set(side, button);
     }
@@ -79,11 +124,20 @@ export class SideFilter {
     for (const [side, button] of this.buttons)
       button.setAttribute('aria-pressed', String(!this.hidden.has(side)));
   }
+
+  // Says how many of each side are listed, or would be: those for which `isEligible(c)`.
+  count(isEligible) {
+    for (const [side, button] of this.buttons)
+      button.querySelector('.number').textContent =
+        integer.format(this.curves.filter((curve, c) => curve.side === side && isEligible(c)).length);
+  }
 }
 
 export class List {
-  constructor(data, onSelect) {
+  // `onSelect(c)` is called for a click on constriction c, `onHover(c)` when the pointer comes to it; -1 is none.
+  constructor(data, onSelect, onHover) {
     this.data = data;
+    this.facts = new Facts(data.curves);
     const {mesh, curves} = data;
     document.title = `${mesh.file} – constrictions`;
     document.getElementById('file').textContent = mesh.file;
@@ -100,6 +154,9 @@ export class List {
       if (button)
         onSelect(Number(button.dataset.curve));
     });
+    this.list.addEventListener('pointerover', event =>
+      onHover(Number(event.target.closest('button')?.dataset.curve ?? -1)));
+    this.list.addEventListener('pointerleave', () => onHover(-1));
   }
 
   note(text) {
@@ -108,8 +165,9 @@ export class List {
     note.hidden = text === '';
   }
 
-  // Shows the constrictions for which `isShown(c)`. `standsFor[c]` is the number of those that c represents.
-  update(isShown, standsFor, selected) {
+  // Shows the constrictions for which `isShown(c)`. `standsFor[c]` is the number of those that c represents, `between[c]`
+  // are the parts on its sides.
+  update(isShown, standsFor, between, selected) {
     let shown = 0;
     this.items.forEach((item, c) => {
       item.hidden = !isShown(c);
@@ -117,11 +175,13 @@ export class List {
         return;
       ++shown;
       item.firstChild.setAttribute('aria-pressed', String(c === selected));
-      item.querySelector('.hidden-below').textContent =
-        standsFor[c] > 0 ? ` · stands for ${standsFor[c]} weaker` : '';
+      const more = item.querySelector('.more');
+      more.textContent = this.facts.of(this.data.curves[c], between[c], standsFor[c]);
+      more.title = certificate(this.data.curves[c])[1];
     });
     document.getElementById('count').textContent =
-      `${integer.format(shown)} of ${counted(this.items.length, 'constriction')} shown`;
+      `${integer.format(shown)} of ${counted(this.items.length, 'constriction')} shown`
+      + (this.facts.inCommon ? `. ${this.facts.inCommon}.` : '');
     document.getElementById('empty').hidden = shown > 0;
   }
 

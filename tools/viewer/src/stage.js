@@ -11,9 +11,52 @@ const drawing = {antialias: true, alpha: true, preserveDrawingBuffer: true};
 const distanceFor = (radius, aspect) =>
   radius / Math.sin(Math.min(1, aspect) * fieldOfView / 2 * Math.PI / 180) * 1.04;
 
+// The whole in a corner, when the camera is near, with a ring around what it sees.
+class Inset {
+  constructor() {
+    this.frame = document.getElementById('inset');
+    this.ring = document.getElementById('inset-ring');
+    this.camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
+    this.isAllowed = true;
+  }
+
+  draw(stage) {
+    const {camera, frame, ring} = this, {renderer, radius} = stage, distance = distanceFor(radius, 1);
+    const isShown = this.isAllowed && stage.zoomFactor > 1.6;
+    frame.hidden = !isShown;
+    if (!isShown)
+      return;
+    camera.position.copy(stage.direction).multiplyScalar(distance);
+    camera.up.copy(stage.camera.up);
+    camera.lookAt(0, 0, 0);
+    camera.near = Math.max(0.005, distance - 1.5 * radius);
+    camera.far = distance + 1.5 * radius;
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    const {offsetLeft, offsetTop, clientLeft, clientWidth: size} = frame, {clientWidth, clientHeight} = stage.canvas;
+    const box = [offsetLeft + clientLeft, clientHeight - offsetTop - clientLeft - size, size, size];
+    renderer.setViewport(...box);
+    renderer.setScissor(...box);
+    renderer.setScissorTest(true);
+    renderer.render(stage.scene, camera);
+    renderer.setScissorTest(false);
+    renderer.setViewport(0, 0, clientWidth, clientHeight);
+
+    const p = stage.controls.target.clone().project(camera);
+    const width = Math.max(8, size * stage.camera.position.distanceTo(stage.controls.target) / distance);
+    ring.style.width = ring.style.height = `${width}px`;
+    ring.style.left = `${(p.x + 1) / 2 * size - width / 2}px`;
+    ring.style.top = `${(1 - p.y) / 2 * size - width / 2}px`;
+  }
+}
+
 export class Stage {
-  constructor(canvas) {
+  // `onDraw()` is called whenever something has been drawn.
+  constructor(canvas, onDraw) {
     this.canvas = canvas;
+    this.onDraw = onDraw;
+    this.inset = new Inset();
+    this.radius = 1; // of the whole that is shown, around the origin
     this.renderer = new WebGLRenderer({canvas, context: canvas.getContext('webgl2', drawing) ?? undefined, ...drawing});
     this.renderer.physicallyCorrectLights = true;
     this.renderer.gammaFactor = gamma;
@@ -34,7 +77,7 @@ export class Stage {
 
     this.light = new DirectionalLight(0xffffff, 2.2);
     this.scene.add(new HemisphereLight(0xffffff, light(0x8d8a86), 1.5), this.light, this.light.target);
-    this.hiddenBelow = 0; // what is in front of the canvas at its lower end, in pixels
+    this.hiddenBelow = this.hiddenAbove = 0; // what is in front of the canvas at its ends, in pixels
     this.isDirty = true;
     this.waiting = [];
     new ResizeObserver(() => this.resize()).observe(canvas);
@@ -55,7 +98,7 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.setViewOffset(width, height, 0, this.hiddenBelow / 2, width, height);
+    this.camera.setViewOffset(width, height, 0, (this.hiddenBelow - this.hiddenAbove) / 2, width, height);
     this.controls.handleResize();
     this.invalidate();
   }
@@ -76,14 +119,43 @@ export class Stage {
   draw() {
     const {camera, light, controls} = this;
     const away = camera.position.distanceTo(controls.target);
-    camera.near = Math.max(0.005, away - 2.5);
-    camera.far = away + 4;
+    camera.near = Math.max(0.005, away - 1.5 - this.radius);
+    camera.far = away + 3 + this.radius;
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
     // over the left shoulder
     light.target.position.copy(controls.target);
     light.position.set(-0.5, 0.6, 1).transformDirection(camera.matrixWorld).multiplyScalar(5).add(controls.target);
     this.renderer.render(this.scene, camera);
+    this.inset.draw(this);
+    this.onDraw();
+  }
+
+  // How many pixels a unit has at the depth of the centre of the view.
+  get pixelsPerUnit() {
+    return this.canvas.clientHeight / 2 / Math.tan(fieldOfView / 2 * Math.PI / 180)
+      / this.camera.position.distanceTo(this.controls.target);
+  }
+
+  // How near the camera is: 1 when it sees the whole as it does at first, 2 at half of that distance.
+  get zoomFactor() {
+    return this.distanceOf(this.radius) / this.camera.position.distanceTo(this.controls.target);
+  }
+
+  // The direction that the camera looks from.
+  get direction() { return this.camera.position.clone().sub(this.controls.target).normalize(); }
+
+  // From how far away a ball of this radius is seen.
+  distanceOf(radius) {
+    const height = this.canvas.clientHeight, free = height - this.hiddenBelow - this.hiddenAbove;
+    return distanceFor(radius, this.canvas.clientWidth / free) * height / free;
+  }
+
+  // The ray through a place of the canvas, in pixels.
+  ray(x, y) {
+    const {clientWidth, clientHeight} = this.canvas, origin = this.camera.position;
+    const through = new Vector3(2 * x / clientWidth - 1, 1 - 2 * y / clientHeight, 0.5).unproject(this.camera);
+    return {origin, direction: through.sub(origin).normalize()};
   }
 
   // Resolves when what is to be drawn has been drawn and the camera has arrived.
@@ -98,7 +170,7 @@ export class Stage {
       target: target.clone(),
       direction: direction.clone().normalize(),
       up: up.clone(),
-      distance: distanceFor(radius, this.aspect) * this.canvas.clientHeight / (this.canvas.clientHeight - this.hiddenBelow),
+      distance: this.distanceOf(radius),
     };
     if (Math.abs(end.up.clone().normalize().dot(end.direction)) > 0.99)
       end.up.set(end.direction.z, end.direction.x, end.direction.y);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The surface that is drawn: triangles with colours, and the edges of the mesh.
-import {BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh,
-  MeshPhongMaterial, VertexColors} from 'three/build/three.module.js';
+import {BackSide, BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh,
+  MeshBasicMaterial, MeshPhongMaterial, VertexColors} from 'three/build/three.module.js';
 import {light} from './colours.js';
 
 const cosineOfCrease = Math.cos(40 * Math.PI / 180);
@@ -54,9 +54,9 @@ function cornerNormals(points, faces, isFlat) {
   return normals;
 }
 
-// Each edge once: its halfedges run in opposite directions, and on the boundary there is only one.
+// Each edge once, with a face at it: its halfedges run in opposite directions, and on the boundary there is only one.
 function edgesOf(points, faces) {
-  const ends = [], n = points.length / 3, ascending = new Set();
+  const ends = [], facesOfEdges = [], n = points.length / 3, ascending = new Set();
   for (let f = 0; f < faces.length; f += 3)
     for (let i = 0; i < 3; ++i)
       if (faces[f + i] < faces[f + (i + 1) % 3])
@@ -64,10 +64,27 @@ function edgesOf(points, faces) {
   for (let f = 0; f < faces.length; f += 3)
     for (let i = 0; i < 3; ++i) {
       const a = faces[f + i], b = faces[f + (i + 1) % 3];
-      if (a < b || !ascending.has(b * n + a))
+      if (a < b || !ascending.has(b * n + a)) {
         ends.push(points[3 * a], points[3 * a + 1], points[3 * a + 2], points[3 * b], points[3 * b + 1], points[3 * b + 2]);
+        facesOfEdges.push(f / 3);
+      }
     }
-  return new Float32Array(ends);
+  return {ends: new Float32Array(ends), facesOfEdges};
+}
+
+// Moves each element, of which `size` numbers in a row are the corners, by the vector `moveOf(i)`. Without one it becomes
+// a point, which is not drawn.
+function moved(numbers, size, moveOf) {
+  const result = numbers.slice();
+  for (let i = 0; size * i < numbers.length; ++i) {
+    const move = moveOf(i);
+    for (let j = size * i; j < size * (i + 1); j += 3) {
+      result[j] = move ? numbers[j] + move.x : 0;
+      result[j + 1] = move ? numbers[j + 1] + move.y : 0;
+      result[j + 2] = move ? numbers[j + 2] + move.z : 0;
+    }
+  }
+  return result;
 }
 
 export class Surface {
@@ -77,11 +94,19 @@ export class Surface {
     const material = new MeshPhongMaterial({vertexColors: VertexColors, specular: 0, side: hasHoles ? DoubleSide : FrontSide,
       polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4});
     this.mesh = new Mesh(new BufferGeometry(), material);
+    // What is seen through a cut of a closed surface: all of one brightness, it looks like a lid.
+    this.inside = new Mesh(this.mesh.geometry, new MeshBasicMaterial({vertexColors: VertexColors, side: BackSide,
+      polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4}));
+    this.inside.visible = false;
+    this.hasHoles = hasHoles;
     this.edges = new LineSegments(new BufferGeometry(), new LineBasicMaterial({transparent: true, opacity: 0.35}));
     this.edges.visible = false;
     this.group = new Group();
-    this.group.add(this.mesh, this.edges);
+    this.group.add(this.mesh, this.inside, this.edges);
+    for (const object of this.group.children)
+      object.frustumCulled = false; // it is moved
     this.hasEdges = false;
+    this.moveOf = null;
   }
 
   set({points, faces}, isFlat) {
@@ -95,12 +120,32 @@ export class Surface {
       corners[3 * i + 2] = points[v + 2];
     }
     this.mesh.geometry.dispose();
-    const geometry = this.mesh.geometry = new BufferGeometry();
+    this.corners = corners;
+    this.moveOf = null;
+    const geometry = this.mesh.geometry = this.inside.geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(corners, 3));
     geometry.setAttribute('normal', new BufferAttribute(cornerNormals(points, faces, isFlat), 3));
     geometry.setAttribute('color', new BufferAttribute(new Float32Array(corners.length).fill(1), 3));
     this.hasEdges = false;
     this.showEdges(this.edges.visible);
+  }
+
+  // Moves each face by the vector `moveOf(f)`; if that is null the face is not drawn. Without `moveOf` all faces are where
+  // they were.
+  place(moveOf) {
+    if (!moveOf && !this.moveOf)
+      return;
+    this.moveOf = moveOf;
+    this.mesh.geometry.setAttribute('position',
+      new BufferAttribute(moveOf ? moved(this.corners, 9, moveOf) : this.corners, 3));
+    this.hasEdges = false;
+    this.showEdges(this.edges.visible);
+  }
+
+  // Whether what is inside is seen, in colours of this brightness.
+  showInside(visible, brightness) {
+    this.inside.visible = visible && !this.hasHoles;
+    this.inside.material.color.setScalar(brightness);
   }
 
   // `colourOfFace(f)` is a three.js colour.
@@ -125,8 +170,39 @@ export class Surface {
       return;
     this.edges.geometry.dispose();
     this.edges.geometry = new BufferGeometry();
-    this.edges.geometry.setAttribute('position', new BufferAttribute(edgesOf(this.points, this.faces), 3));
+    const {ends, facesOfEdges} = edgesOf(this.points, this.faces);
+    this.edges.geometry.setAttribute('position', new BufferAttribute(
+      this.moveOf ? moved(ends, 6, e => this.moveOf(facesOfEdges[e])) : ends, 3));
     this.hasEdges = true;
+  }
+
+  // The face that a ray meets first, as it is drawn, and how far away: {face, distance}. `isCut(x, y, z)` says whether a
+  // place has been cut away.
+  at({origin: o, direction: d}, isCut) {
+    const p = this.mesh.geometry.getAttribute('position').array;
+    let face = -1, distance = Infinity;
+    for (let a = 0; a < p.length; a += 9) {
+      const ux = p[a + 3] - p[a], uy = p[a + 4] - p[a + 1], uz = p[a + 5] - p[a + 2];
+      const vx = p[a + 6] - p[a], vy = p[a + 7] - p[a + 1], vz = p[a + 8] - p[a + 2];
+      const px = d.y * vz - d.z * vy, py = d.z * vx - d.x * vz, pz = d.x * vy - d.y * vx;
+      const determinant = ux * px + uy * py + uz * pz;
+      if (determinant === 0)
+        continue;
+      const tx = o.x - p[a], ty = o.y - p[a + 1], tz = o.z - p[a + 2];
+      const s = (tx * px + ty * py + tz * pz) / determinant;
+      if (s < 0 || s > 1)
+        continue;
+      const qx = ty * uz - tz * uy, qy = tz * ux - tx * uz, qz = tx * uy - ty * ux;
+      const t = (d.x * qx + d.y * qy + d.z * qz) / determinant;
+      const away = (vx * qx + vy * qy + vz * qz) / determinant;
+      if (t < 0 || s + t > 1 || away <= 0 || away >= distance)
+        continue;
+      if (isCut(o.x + away * d.x, o.y + away * d.y, o.z + away * d.z))
+        continue;
+      face = a / 9;
+      distance = away;
+    }
+    return {face, distance};
   }
 
   // Whether the ray from a point meets a face, further away than `from`.

@@ -5,13 +5,13 @@ import {Vector3} from 'three/build/three.module.js';
 const candidates = 96, lookedAtClosely = 8, samples = 12;
 
 // Directions that are spread evenly over the sphere.
-const directions = Array.from({length: candidates}, (_, i) => {
+export const directions = Array.from({length: candidates}, (_, i) => {
   const z = 1 - (2 * i + 1) / candidates, angle = i * Math.PI * (3 - Math.sqrt(5)), r = Math.sqrt(1 - z * z);
   return new Vector3(r * Math.cos(angle), r * Math.sin(angle), z);
 });
 
 // The vector whose direction is that of the plane that fits a closed polygon, and whose length is twice the area.
-function areaVector(points) {
+export function areaVector(points) {
   const result = new Vector3(), p = new Vector3(), q = new Vector3();
   for (let i = 0; i < points.length; i += 3) {
     p.fromArray(points, i);

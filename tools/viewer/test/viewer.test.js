@@ -1,47 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests of the pages that the program writes, in a browser without a screen.
-//
-//   CONSTRICTIONS_PROGRAM=... CONSTRICTIONS_MESH_DIR=... node test/run.js
+// Tests of the pages that the program writes, in a browser without a screen; see pages.js.
 import assert from 'node:assert/strict';
-import {after, before, describe, it} from 'node:test';
-import {copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
-import {execFileSync} from 'node:child_process';
+import {before, describe, it} from 'node:test';
+import {copyFileSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {pathToFileURL} from 'node:url';
-import {tmpdir} from 'node:os';
-import {openBrowser, patience} from '../browser.js';
+import {count, covered, difference, folder, meshes, open, pixels, settled, state, useBrowser, vermillion, write, yellow}
+  from './pages.js';
 
-const program = process.env.CONSTRICTIONS_PROGRAM, meshes = process.env.CONSTRICTIONS_MESH_DIR;
-const folder = mkdtempSync(join(tmpdir(), 'constrictions-'));
-let browser;
-
-function write(mesh, ...options) {
-  const page = join(folder, 'page.html');
-  execFileSync(program, ['view', mesh, '-o', page, '--quiet', ...options]);
-  return page;
-}
-
-// Opens a page; whatever it says on the console, and every address that it asks for, is noted.
-async function open(page, hash = '', viewport = {width: 800, height: 500}, options = {}) {
-  const tab = await browser.newPage({viewport, ...options});
-  tab.setDefaultTimeout(patience);
-  tab.said = [];
-  tab.asked = [];
-  tab.on('console', message => tab.said.push(`${message.type()}: ${message.text()}`));
-  tab.on('pageerror', error => tab.said.push(error.message));
-  tab.on('request', request => tab.asked.push(request.url()));
-  await tab.goto(pathToFileURL(page).href + hash);
-  await settled(tab);
-  return tab;
-}
-
-// A dumbbell: a surface of revolution, closed by a vertex at each end, as the text of an OFF file.
-function dumbbell(rings, corners) {
+// A dumbbell: a surface of revolution, closed by a vertex at each end, as the text of an OFF file. Its radius is not even,
+// by such a share of it.
+function dumbbell(rings, corners, roughness = 0) {
   const points = ['0 0 -1.2'], faces = [];
   for (let i = 0; i < rings; ++i) {
     const z = -1.2 + 2.4 * (i + 1) / (rings + 1), r = Math.sqrt(1.44 - z * z) * (0.2 + z * z);
-    for (let j = 0; j < corners; ++j)
-      points.push(`${r * Math.cos(2 * Math.PI * j / corners)} ${r * Math.sin(2 * Math.PI * j / corners)} ${z}`);
+    for (let j = 0; j < corners; ++j) {
+      const angle = 2 * Math.PI * j / corners, x = r * (1 + roughness * Math.sin(2.1 * i) * Math.sin(1.7 * j));
+      points.push(`${x * Math.cos(angle)} ${x * Math.sin(angle)} ${z}`);
+    }
   }
   points.push('0 0 1.2');
   const vertex = (i, j) => 1 + i * corners + j % corners;
@@ -53,61 +28,11 @@ function dumbbell(rings, corners) {
   return `OFF\n${points.length} ${faces.length} 0\n${points.join('\n')}\n${faces.join('\n')}\n`;
 }
 
-const settled = tab => tab.evaluate(() => window.viewer.settled());
-const state = tab => tab.evaluate(() => window.viewer.state());
-
-// The pixels of the canvas as [r, g, b, a, ...], from the lower left.
-const pixels = async tab => Buffer.from(await tab.evaluate(async () => {
-  await window.viewer.settled();
-  const canvas = document.getElementById('canvas');
-  const gl = canvas.getContext('webgl2');
-  const data = new Uint8Array(4 * canvas.width * canvas.height);
-  gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, data);
-  let text = '';
-  for (let i = 0; i < data.length; i += 8192)
-    text += String.fromCharCode(...data.subarray(i, i + 8192));
-  return btoa(text);
-}), 'base64');
-
-function covered(p) {
-  let n = 0;
-  for (let i = 3; i < p.length; i += 4)
-    n += p[i] > 0;
-  return n / (p.length / 4);
-}
-
-// The share of pixels that differ clearly.
-function difference(p, q) {
-  assert.equal(p.length, q.length);
-  let n = 0;
-  for (let i = 0; i < p.length; i += 4)
-    if (Math.abs(p[i] - q[i]) + Math.abs(p[i + 1] - q[i + 1]) + Math.abs(p[i + 2] - q[i + 2]) +
-        Math.abs(p[i + 3] - q[i + 3]) > 24)
-      ++n;
-  return n / (p.length / 4);
-}
-
-// How many pixels are nearly of a colour.
-const count = (p, [r, g, b], tolerance = 12) => {
-  let n = 0;
-  for (let i = 0; i < p.length; i += 4)
-    if (p[i + 3] > 0 && Math.max(Math.abs(p[i] - r), Math.abs(p[i + 1] - g), Math.abs(p[i + 2] - b)) <= tolerance)
-      ++n;
-  return n;
-};
-const vermillion = [0xd5, 0x5e, 0x00], yellow = [0xf0, 0xe4, 0x42];
-
 describe('the viewer', () => {
   let cactus;
 
-  before(async () => {
-    browser = await openBrowser();
-    cactus = await open(write(join(meshes, 'cactus.off')));
-  });
-  after(async () => {
-    await browser?.close();
-    rmSync(folder, {recursive: true});
-  });
+  useBrowser();
+  before(async () => cactus = await open(write(join(meshes, 'cactus.off'))));
 
   it('needs no network, and says nothing', async () => {
     assert.deepEqual(cactus.said, []);
@@ -139,7 +64,7 @@ describe('the viewer', () => {
     assert.ok(rows.length >= 3);
     const prominences = await cactus.evaluate(() => window.viewer.data.curves.map(c => c.prominence));
     assert.deepEqual(prominences, [...prominences].sort((a, b) => b - a));
-    assert.match(rows[0], /^0 · length 0\.599.*0\.61.*object · strict constriction · separates/);
+    assert.match(rows[0], /^0 · length 0\.599.*0\.61.*parts \d and \d/);
   });
 
   it('flies to the constriction that is clicked in the list, and lights it up', async () => {
@@ -353,6 +278,45 @@ describe('the viewer', () => {
       `Drawn with ${faces.toLocaleString('en')} faces, simplified. The curves are exact, on the surface of the file.`);
     await tab.locator('#level').fill(await tab.locator('#level').evaluate(input => String(input.max - 1)));
     assert.match(await tab.locator('#status').textContent(), /Level 0 .*52,802 vertices.*drawn on a coarser level/);
+    await tab.close();
+  });
+
+  it('draws the curves of a simplified surface on that', async () => {
+    const file = join(folder, 'rough.off');
+    writeFileSync(file, dumbbell(300, 260, 0.004));
+    const tab = await open(write(file, '--seeds', 'triangles', '--no-certify'));
+    // how high above the surface a point is, along the normal of the input there
+    const {lifted, exact} = await tab.evaluate(() => {
+      const {data, drawn} = window.viewer, {levels_points: p, levels_faces: faces, curve_points, curve_normals} = data.arrays;
+      const difference = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+      const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+      const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+      const height = (x, n) => {
+        let best = Infinity;
+        for (let f = 0; f < faces.length; f += 3) {
+          const [a, b, c] = [0, 1, 2].map(i => difference(p.subarray(3 * faces[f + i], 3 * faces[f + i] + 3), x));
+          // the signs of the volumes over the edges say whether the line through x meets the face
+          if (Math.abs(a[0]) < 0.1 && Math.abs(a[1]) < 0.1 && Math.abs(a[2]) < 0.1
+              && dot(cross(a, b), n) > 0 && dot(cross(b, c), n) > 0 && dot(cross(c, a), n) > 0) {
+            const normal = cross(difference(b, a), difference(c, a));
+            best = Math.min(best, Math.abs(dot(a, normal) / dot(n, normal)));
+          }
+        }
+        return best;
+      };
+      const lifted = [], exact = [], points = drawn.points(0);
+      for (let i = 0; i < points.length; i += 12) {
+        const n = Array.from(curve_normals.subarray(i, i + 3)), length = Math.hypot(...n), unit = n.map(x => x / length);
+        lifted.push(height(points.subarray(i, i + 3), unit));
+        exact.push(height(curve_points.subarray(i, i + 3), unit));
+      }
+      return {lifted, exact};
+    });
+    assert.ok(exact.some(h => h > 1e-4 && h < 1), 'the curve is on the simplified surface anyway');
+    const known = lifted.filter(h => h < 1); // of a line along an edge of the surface it is not known
+    assert.ok(known.length > 0.8 * lifted.length);
+    for (const h of known)
+      assert.ok(Math.abs(h - 0.003) < 1e-5, `the curve is ${h} above the surface`);
     await tab.close();
   });
 });
