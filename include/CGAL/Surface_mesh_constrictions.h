@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/Removed_handle.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_preserving_placement.h>
 #include <CGAL/Surface_mesh_constrictions/Shortest_path_verification.h>
@@ -29,6 +30,7 @@
 #include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
+#include <CGAL/Surface_mesh_constrictions/cut_handles.h>
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions_near.h>
@@ -36,9 +38,11 @@
 #include <CGAL/Surface_mesh_constrictions/geodesic_loops_at_location.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/nested_parts.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
+#include <CGAL/Surface_mesh_constrictions/remove_handles.h>
 #include <CGAL/Surface_mesh_constrictions/section_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 #include <CGAL/Surface_mesh_constrictions/segment_by_constrictions.h>

@@ -9,7 +9,9 @@
 #include "output/certificates.h"
 #include "output/check_report.h"
 #include "output/closing_words.h"
+#include "output/handles.h"
 #include "output/mesh_as_text.h"
+#include "output/mesh_json.h"
 #include "output/output_file.h"
 #include "output/parts.h"
 #include "view/view_page.h"
@@ -53,6 +55,9 @@ void check_outputs(const Options& options)
     create_folder(options.folder);
   if(options.writes_parts())
     for(const char* name : {"parts.json", "parts.ply", "parts.vtp"})
+      check_writable(options.file_in_folder(name));
+  if(options.removes_handles())
+    for(const std::string& name : {std::string("handles.json"), without_handles_file_name(options.segmentation.format)})
       check_writable(options.file_in_folder(name));
   if(options.command == Command::VIEW)
     check_writable(options.page);
@@ -177,6 +182,63 @@ void write_parts(const Options& options, const Report& report, const Parts& part
     write_to_standard_output(parts_as_table(parts) + (report.hint.empty() ? "" : report.hint + '\n'));
 }
 
+// Removes handles in rounds, as `remove_handles()` of the library does.
+Handle_removal remove_handles(const Options& options, Stage_monitor& monitor, const Report& report)
+{
+  Handle_removal result;
+  result.mesh = report.mesh;
+  result.old_genus = mesh_as_json(report.mesh_file, report.mesh, report.file).at("genus").get<std::size_t>();
+  const std::size_t number = options.segmentation.genus.value_or(options.segmentation.handles.value_or(0));
+  if(number > result.old_genus)
+    throw Input_file_error(options.mesh,
+                           "its genus is " + std::to_string(result.old_genus) + ", less than the " +
+                               (options.segmentation.genus ? "one asked for, " : "number of handles to remove, ") +
+                               std::to_string(number));
+  result.target_genus = options.segmentation.genus ? number : result.old_genus - number;
+  for(std::size_t round = 0; result.genus() > result.target_genus; ++round)
+  {
+    Report found;
+    found.mesh = result.mesh;
+    if(round == 0)
+      found.file = report.file;
+    detect(options, options.selection, monitor, found, nullptr);
+    const auto detected = std::chrono::steady_clock::now();
+    const bool has_cut =
+        cut_along_handles(found.constrictions, options.segmentation, options.selection.maximum_length, round, result);
+    result.seconds += seconds_since(detected);
+    if(!has_cut)
+      break;
+  }
+  return result;
+}
+
+// Returns the exit code.
+int write_handles(const Options& options, const Report& report, const Handle_removal& removal)
+{
+  const Part_format format = options.segmentation.format;
+  const std::string name = options.file_in_folder(without_handles_file_name(format));
+  std::vector<Output_file> files;
+  try
+  {
+    files.push_back({name, without_handles_as_file(removal, format)});
+  }
+  catch(const std::range_error& e)
+  {
+    throw Output_file_error(name, e.what());
+  }
+  files.push_back({options.file_in_folder("handles.json"), handles_as_json(report, removal, format)});
+  write_files(files);
+  if(tells_results(options))
+    std::cerr << written_files_as_text(files) << std::flush;
+  if(!options.quiet)
+    write_to_standard_output(handles_as_table(removal));
+  if(removal.genus() == removal.target_genus)
+    return 0;
+  std::cerr << "constrictions: " << printable(options.mesh) << ": the genus is " << removal.genus() << ", not "
+            << removal.target_genus << ": no other curve fits" << std::endl;
+  return 1;
+}
+
 void write_outputs(const Options& options, const Report& report)
 {
   std::vector<Output_file> files;
@@ -263,7 +325,8 @@ std::string hint_at_all(const Options& options, const Report& report)
          (s.minimum_length || s.maximum_length ? ", within the bounds of the length." : ".");
 }
 
-void run(const Options& options)
+// Returns the exit code.
+int run(const Options& options)
 {
   const auto begin = std::chrono::steady_clock::now();
   Report report;
@@ -279,6 +342,7 @@ void run(const Options& options)
   check_outputs(options);
 
   Levels levels;
+  Handle_removal removal;
   {
     Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
     if(!options.labels.empty())
@@ -287,6 +351,8 @@ void run(const Options& options)
       tighten(options, loops, monitor, report);
     else if(options.command == Command::GIRTH)
       girth(options, monitor, report);
+    else if(options.removes_handles())
+      removal = remove_handles(options, monitor, report);
     else if(options.command == Command::VIEW)
       detect(options, selection_for_page(options), monitor, report, &levels);
     else
@@ -299,12 +365,17 @@ void run(const Options& options)
     report.seconds.select = monitor.seconds(Detection_stage::SELECTION);
   }
   tell_of_repairs(options.mesh, report.file);
+  if(options.removes_handles())
+  {
+    report.seconds.total = seconds_since(begin);
+    return write_handles(options, report, removal);
+  }
   if(options.command != Command::GIRTH)
     report.hint = hint_at_all(options, report);
   if(options.command == Command::VIEW)
   {
     write_page(options, report, levels);
-    return;
+    return 0;
   }
   if(options.command == Command::SEGMENT)
   {
@@ -314,10 +385,11 @@ void run(const Options& options)
     parts.seconds = seconds_since(detected);
     report.seconds.total = seconds_since(begin);
     write_parts(options, report, parts);
-    return;
+    return 0;
   }
   report.seconds.total = seconds_since(begin);
   write_outputs(options, report);
+  return 0;
 }
 
 // Returns the exit code.
@@ -447,8 +519,7 @@ int main(int argc, char** argv)
       });
       return 0;
     }
-    constrictions::run(options);
-    return 0;
+    return constrictions::run(options);
   }
   catch(...)
   {

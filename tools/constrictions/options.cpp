@@ -55,6 +55,8 @@ const char* const examples =
     "      makes the borders of your own parts, given as a number for each face, as short as they can be\n"
     "  constrictions segment bone.ply -o parts --side object\n"
     "      cuts the surface at its necks; writes parts/parts.ply, parts/parts.json and parts/part_0.ply ...\n"
+    "  constrictions segment scan.ply -o clean --genus 0\n"
+    "      cuts the handles that do not belong there, along the shortest curves; writes clean/without_handles.ply\n"
     "  constrictions view bone.ply -o bone.html\n"
     "      writes a page that shows the surface with its constrictions and parts; open it in a browser\n"
     "  constrictions certify bone.ply --curves result/constrictions.json\n"
@@ -258,6 +260,30 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
   add_no_certify(command, options.search);
   command.add_flag("--quiet", options.quiet, "show no progress bar, and print no table");
   command.footer("\nPrints a table of the parts. Of two curves that cross, the more prominent one cuts.\n");
+}
+
+// After the options of the selection, which choose other curves than the shortest.
+void add_handle_options(CLI::App& command, Options& options)
+{
+  CLI::Option* const genus =
+      command
+          .add_option("--genus", options.segmentation.genus,
+                      "instead of cutting into parts, cut handles or fill tunnels until the genus is G: along the "
+                      "shortest curves, each closed on both sides. Writes the surface as without_handles.ply, and "
+                      "handles.json, into the folder; --side and --max-length limit the curves")
+          ->type_name("G")
+          ->check(whole_number(0));
+  CLI::Option* const handles =
+      command.add_option("--handles", options.segmentation.handles, "the same, but remove N handles")
+          ->type_name("N")
+          ->check(whole_number(1))
+          ->excludes(genus);
+  for(const char* other :
+      {"--parts", "--open", "--max", "--min-prominence", "--min-isolation", "--max-ratio", "--all", "--rims"})
+  {
+    genus->excludes(other);
+    handles->excludes(other);
+  }
 }
 
 void add_view_options(CLI::App& command, Options& options)
@@ -494,6 +520,11 @@ void check_files(const Options& options)
       if(!name.empty() && is_part_file(name, options.folder))
         throw CLI::ValidationError(name, "the output could overwrite the input");
 
+  if(options.removes_handles())
+    for(const char* name :
+        {"handles.json", "without_handles.ply", "without_handles.stl", "without_handles.obj", "without_handles.glb"})
+      names.push_back(options.file_in_folder(name));
+
   std::vector<fs::path> places;
   for(const std::string& name : names)
   {
@@ -587,6 +618,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   CLI::App& segment = *app.add_subcommand("segment", "cut the surface into parts along its constrictions");
   add_segment_options(segment, options, side);
   add_selection_options(segment, options.selection);
+  add_handle_options(segment, options);
   add_policy(segment, policy);
   add_threads(segment, options);
   add_seeds(segment, options.search);
@@ -628,6 +660,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
     if(!side.empty())
       options.segmentation.side = side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
                                                    : CGAL::Surface_mesh_constrictions::Side::COMPLEMENT;
+    if(options.removes_handles())
+      options.selection.all = true;
     check_bounds(options.selection);
     if(tighten.parsed() && options.loops.empty() && options.labels.empty())
       throw CLI::RequiredError("--loops or --labels");

@@ -66,10 +66,12 @@ struct Girth
   double minimum_angle = 0.78539816339744828; ///< radians; a quarter of pi, as in the library
 };
 
-/// Which constrictions cut the surface into parts, and what is written of these.
+/// Which constrictions cut the surface into parts, or cut handles off, and what is written of the result.
 struct Segmentation
 {
-  std::optional<std::size_t> parts; ///< at most
+  std::optional<std::size_t> genus;   ///< to which handles are removed, instead of cutting into parts
+  std::optional<std::size_t> handles; ///< how many are removed, likewise
+  std::optional<std::size_t> parts;   ///< at most
   std::optional<CGAL::Surface_mesh_constrictions::Side> side;
   bool open = false; ///< without caps
   Part_format format = Part_format::PLY;
@@ -109,7 +111,13 @@ struct Options
   bool is_verbose = false;
 
   /// whether meshes of parts are written into the folder
-  bool writes_parts() const { return command == Command::SEGMENT || (!labels.empty() && !folder.empty()); }
+  bool writes_parts() const
+  {
+    return (command == Command::SEGMENT && !removes_handles()) || (!labels.empty() && !folder.empty());
+  }
+
+  /// whether handles are removed, and the surface without them is written into the folder
+  bool removes_handles() const { return segmentation.genus || segmentation.handles; }
 
   bool prints_json() const { return json == "-"; }
   bool prints_csv() const { return csv == "-"; }

@@ -49,12 +49,24 @@ struct Cut_outcome
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
+/// A curve that cuts a surface, and from which number of parts on.
+struct Nested_cut
+{
+  std::size_t curve;           ///< the place of the curve in the input
+  std::size_t number_of_parts; ///< the least `maximum_number_of_parts` with which the curve cuts
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The parts of a surface, which of them meet at which curve, and which curves have cut.
 struct Surface_parts
 {
   std::vector<Surface_part> parts;         ///< numbered as in the face patch map
   std::vector<Part_adjacency> adjacencies; ///< sorted by curve
   std::vector<Cut_outcome> outcomes;       ///< one for each curve of the input
+
+  /// the curves that cut if the number of parts is not limited, in the order in which they do, by ascending number of
+  /// parts. It does not depend on `maximum_number_of_parts`. See `nested_parts()`.
+  std::vector<Nested_cut> nested_cuts;
 };
 
 } // namespace Surface_mesh_constrictions

@@ -19,7 +19,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <set>
 #include <type_traits>
@@ -190,10 +189,14 @@ OutputIterator extract_parts_checked(const TriangleMesh& tm, EdgeIsConstrainedMa
     if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::cap_output_iterator_t>::value)
     {
       auto caps_out = get_parameter(np, internal_np::cap_output_iterator);
-      std::vector<std::array<std::size_t, 2>> ranges;
+      typedef std::vector<typename Graph_traits::face_descriptor> Faces;
+      const Faces all(faces(part).begin(), faces(part).end()); // in the order of the triangles
+      std::vector<Faces> caps;
       for(const typename Closer::Cap& c : caps_of_part[p])
-        ranges.push_back({{c.first_triangle, c.end_of_triangles}});
-      const std::vector<bool> intersects = internal::intersecting_caps(part, ranges);
+        caps.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(c.first_triangle),
+                          all.begin() + static_cast<std::ptrdiff_t>(c.end_of_triangles));
+      const std::vector<bool> intersects =
+          internal::intersecting_caps(part, get(CGAL::vertex_point, static_cast<const TriangleMesh&>(part)), caps);
       for(std::size_t c = 0; c < intersects.size(); ++c)
         *caps_out++ = Part_cap<TriangleMesh>{p, caps_of_part[p][c].border, intersects[c]};
     }

@@ -55,13 +55,13 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_detection)
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// Where seed curves come from. Type: a model of `ConstrictionSeedSource`. Default: `Default_seed_sources`, or
 /// `Non_face_triangle_seeds` with `first_constriction_only`.
-/// Accepted by `detect_constrictions()`.
+/// Accepted by `detect_constrictions()` and `remove_handles()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(seed_sources)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// Cost and placement of edge collapses. Type: a model of `ConstrictionSimplificationPolicies`, or a `std::tuple` of
 /// several: then the mesh is simplified with each of them. Default: `Garland_heckbert_policies`.
-/// Accepted by `detect_constrictions()` and `detect_constrictions_near()`.
+/// Accepted by `detect_constrictions()`, `detect_constrictions_near()` and `remove_handles()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(simplification_policies)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
@@ -78,7 +78,8 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(first_constriction_only)
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// Whether each curve is certified with exact arithmetic, and corrected where rounding has led it astray.
 /// Type: `bool`. Default: `true`.
-/// Accepted by `detect_constrictions()`, `detect_constrictions_near()` and `tighten_closed_curves()`.
+/// Accepted by `detect_constrictions()`, `detect_constrictions_near()`, `tighten_closed_curves()` and
+/// `remove_handles()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(certify)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
@@ -115,7 +116,7 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(minimum_curve_length)
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// The greatest length, in the unit of the mesh's coordinates. Constrictions are selected first; longer ones are then
 /// left out, see `select_by_prominence()`. Type: `double`. Default: no limit.
-/// Accepted by all functions that detect or select constrictions.
+/// Accepted by all functions that detect or select constrictions, `cut_handles()` and `remove_handles()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_curve_length)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
@@ -158,8 +159,18 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_parts)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// Only curves that choke this side cut. Type: `Side`. Default: unset, all curves cut.
-/// Accepted by `segment_by_constrictions()` and `split_along_constrictions()`.
+/// Accepted by `segment_by_constrictions()`, `split_along_constrictions()`, `cut_handles()` and `remove_handles()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(choked_side)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// The genus at which the removal of handles stops. Type: `std::size_t`. Default: 0.
+/// Accepted by `remove_handles()`.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(target_genus)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// How many handles are removed at most. Type: `std::size_t`. Default: no limit.
+/// Accepted by `remove_handles()` and `cut_handles()`.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_handles)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// Whether the holes along which parts have been cut off are filled. Type: `bool`. Default: `true`.

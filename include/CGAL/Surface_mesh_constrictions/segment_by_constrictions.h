@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Cut_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Part_finder.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/arrange_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/find_nested_cuts.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
@@ -18,6 +19,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -77,7 +79,8 @@ Surface_parts segment_by_constrictions_checked(const TriangleMesh& tm, const Con
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_parts}
 ///     \cgalParamDescription{the greatest number of parts; if all curves give more, only the highest-ranking curves
-///                           cut, as many as give this number of parts}
+///                           cut, as many as give this number of parts. The curves that cut are some of those that cut
+///                           with any greater number, see `nested_parts()`.}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{unset: all curves cut}
 ///   \cgalParamNEnd
@@ -121,12 +124,20 @@ Surface_parts segment_by_constrictions_checked(const TriangleMesh& tm, const Con
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();
   const std::vector<Constriction<TriangleMesh>> given(curves.begin(), curves.end());
-  const internal::Arranged_curves<TriangleMesh> arranged = internal::arrange_curves(
-      tm, given, [&imported]() -> const auto& { return imported; }, np);
-  const internal::Cut_surface surface(imported, *arranged.arrangement);
-  const internal::Part_finder finder(surface);
+  internal::Arranged_curves<TriangleMesh> arranged = internal::arrange_chosen(tm, given, np);
+  std::optional<internal::Cut_surface> surface;
+  std::optional<internal::Part_finder> found;
+  const auto find_parts = [&] {
+    surface.emplace(imported, *arranged.arrangement);
+    found.emplace(*surface);
+  };
+  find_parts();
+  const std::vector<Nested_cut> nested_cuts = internal::find_nested_cuts(*arranged.arrangement, *found);
+  if(internal::limit_parts(tm, given, nested_cuts, np, arranged))
+    find_parts();
+  const internal::Part_finder& finder = *found;
 
-  Surface_parts result = {finder.parts(), {}, arranged.outcomes};
+  Surface_parts result = {finder.parts(), {}, arranged.outcomes, nested_cuts};
   const std::vector<std::size_t> part_of_face = finder.parts_of_faces();
   for(Index f = 0; f < part_of_face.size(); ++f)
   {

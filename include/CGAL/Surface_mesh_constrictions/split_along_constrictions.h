@@ -7,7 +7,10 @@
 #include <CGAL/Surface_mesh_constrictions/Split_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Surface_part.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Curve_splitter.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/Cut_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/Part_finder.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/arrange_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/parts/find_nested_cuts.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
@@ -190,10 +193,14 @@ Split_curves<TriangleMesh> split_along_constrictions_checked(TriangleMesh& tm, c
   auto mark = internal::edge_mark<TriangleMesh>(np);
 
   const std::vector<Constriction<TriangleMesh>> given(curves.begin(), curves.end());
-  const auto imported = [&]() {
-    return internal::Imported_mesh<TriangleMesh>(tm, vpm, CGAL::get_initialized_vertex_index_map(tm, np));
-  };
-  const internal::Arranged_curves<TriangleMesh> arranged = internal::arrange_curves(tm, given, imported, np);
+  internal::Arranged_curves<TriangleMesh> arranged = internal::arrange_chosen(tm, given, np);
+  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::maximum_number_of_parts_t>::value)
+  {
+    const internal::Imported_mesh<TriangleMesh> imported(tm, vpm, CGAL::get_initialized_vertex_index_map(tm, np));
+    const internal::Cut_surface surface(imported, *arranged.arrangement);
+    const internal::Part_finder finder(surface);
+    internal::limit_parts(tm, given, internal::find_nested_cuts(*arranged.arrangement, finder), np, arranged);
+  }
   internal::Curve_splitter splitter(tm, *arranged.arrangement, vpm, mark, visitor);
   splitter.split();
 

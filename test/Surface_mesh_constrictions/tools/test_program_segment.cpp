@@ -193,6 +193,7 @@ TEST_F(Segment, choices)
   const json j = segment("dumbbell.off --side complement");
   EXPECT_EQ(j.at("parts").size(), 1u);
   EXPECT_EQ(j.at("curves")[0].at("cuts"), false);
+  EXPECT_TRUE(j.at("curves")[0].at("border_from").is_null());
   EXPECT_EQ(segment("dumbbell.off --parts 1").at("parts").size(), 1u);
   EXPECT_EQ(segment("dumbbell.off --parts 2").at("parts").size(), 2u);
   EXPECT_EQ(segment("dumbbell.off --max 0").at("curves").size(), 0u);
@@ -222,6 +223,12 @@ TEST_F(Segment, cactus)
     const json few = segment(cactus + " --no-certify --parts " + std::to_string(n));
     expect_closed_parts(few);
     EXPECT_EQ(few.at("parts").size(), n);
+    for(std::size_t c = 0; c < j.at("curves").size(); ++c)
+    {
+      const json& from = j.at("curves")[c].at("border_from");
+      EXPECT_EQ(few.at("curves")[c].at("border_from"), from);
+      EXPECT_EQ(few.at("curves")[c].at("cuts"), !from.is_null() && from.get<std::size_t>() <= n);
+    }
   }
 }
 

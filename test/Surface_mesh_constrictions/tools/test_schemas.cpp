@@ -101,6 +101,11 @@ protected:
       EXPECT_EQ(run(std::string("segment -o parts --quiet ") + arguments).exit_code, 0) << arguments;
       take(json::parse(content("parts/parts.json")));
     }
+    for(const char* arguments : {"dumbbell.off --genus 0", "'" CONSTRICTIONS_MESH_DIR "/eight.off' --handles 1"})
+    {
+      EXPECT_EQ(run(std::string("segment -o handles --quiet ") + arguments).exit_code, 0) << arguments;
+      take(json::parse(content("handles/handles.json")));
+    }
     EXPECT_EQ(run("tighten tube.off --labels sides.txt -o labelled").exit_code, 0);
     take(json::parse(content("labelled/parts.json")));
   }
@@ -110,9 +115,9 @@ TEST_F(Schemas, describe_all_that_is_written)
 {
   make_outputs();
   for(const char* format : {"constrictions/1", "constrictions-batch/1", "constrictions-certificates/1",
-                            "constrictions-check/1", "constrictions-parts/1"})
+                            "constrictions-check/1", "constrictions-handles/1", "constrictions-parts/1"})
     EXPECT_GT(outputs[format].size(), 1u) << format;
-  EXPECT_EQ(outputs.size(), 5u);
+  EXPECT_EQ(outputs.size(), 6u);
   for(const auto& [format, values] : outputs)
     for(const json& value : values)
       for(const std::string& error : json_schema::errors(schema(format), value))

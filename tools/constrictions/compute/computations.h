@@ -10,10 +10,13 @@
 #include "options.h"
 #include "output/certificates.h"
 #include "output/check_report.h"
+#include "output/handles.h"
 #include "output/parts.h"
 #include "output/report.h"
 #include "view/playback.h"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +49,11 @@ std::vector<Certified_curve> certify_curves(const Mesh& mesh, const Curves& curv
 
 /// cuts the mesh along those of the constrictions that are chosen; everything but the time.
 Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constrictions, const Segmentation& segmentation);
+
+/// cuts handles of what is left along those of its constrictions that fit, the shortest first, down to the genus asked
+/// for, and closes both ends. Returns whether there was any. The constrictions no longer fit the mesh then.
+bool cut_along_handles(const std::vector<Constriction>& constrictions, const Segmentation& segmentation,
+                       std::optional<double> maximum_length, std::size_t round, Handle_removal& removal);
 
 /// cuts the mesh along the borders between labels; everything but the time.
 Parts cut_along_borders(const Mesh& mesh, const Labelling& labelling);

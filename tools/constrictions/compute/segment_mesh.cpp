@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/extract_parts.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/segment_by_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/split_along_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/split_along_label_borders.h>
 
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -52,8 +54,11 @@ struct Ancestry_visitor : public SMC::Split_visitor_base<Mesh>
   Ancestry* ancestry;
 };
 
+typedef std::vector<std::optional<std::size_t>> Numbers_of_parts;
+
+// Fills for each constriction the number of parts from which on it is a border.
 SMC::Split_curves<Mesh> split(const std::vector<Constriction>& constrictions, const Segmentation& segmentation,
-                              Marks marks, const Ancestry_visitor& visitor, Mesh& mesh)
+                              Marks marks, const Ancestry_visitor& visitor, Mesh& mesh, Numbers_of_parts& border_from)
 {
   // the side is known only when the program runs
   std::vector<Constriction> chosen;
@@ -64,18 +69,31 @@ SMC::Split_curves<Mesh> split(const std::vector<Constriction>& constrictions, co
       chosen.push_back(constrictions[c]);
       place.push_back(c);
     }
-  const auto np = CGAL::parameters::edge_is_constrained_map(marks).visitor(visitor);
+  std::vector<std::size_t> part_of_face(mesh.num_faces());
+  const auto patches = CGAL::make_property_map(part_of_face);
+  const SMC::Surface_parts parts =
+      segmentation.parts ? SMC::segment_by_constrictions(mesh, chosen, patches,
+                                                         SMC::parameters::maximum_number_of_parts(*segmentation.parts))
+                         : SMC::segment_by_constrictions(mesh, chosen, patches);
+  border_from.resize(constrictions.size());
+  for(const SMC::Nested_cut& c : parts.nested_cuts)
+    border_from[place[c.curve]] = c.number_of_parts;
+
+  std::vector<Constriction> used;
+  for(std::size_t i = 0; i < chosen.size(); ++i)
+    if(parts.outcomes[i].is_used)
+      used.push_back(chosen[i]);
   const SMC::Split_curves<Mesh> curves =
-      segmentation.parts ? SMC::split_along_constrictions(
-                               mesh, chosen, SMC::parameters::maximum_number_of_parts(*segmentation.parts, np))
-                         : SMC::split_along_constrictions(mesh, chosen, np);
+      SMC::split_along_constrictions(mesh, used, CGAL::parameters::edge_is_constrained_map(marks).visitor(visitor));
   SMC::Split_curves<Mesh> result;
   result.halfedges.resize(constrictions.size());
   result.outcomes.assign(constrictions.size(), {false, SMC::Cut_outcome::none});
+  auto halfedges = curves.halfedges.begin();
   for(std::size_t i = 0; i < place.size(); ++i)
   {
-    result.halfedges[place[i]] = curves.halfedges[i];
-    result.outcomes[place[i]] = curves.outcomes[i];
+    result.outcomes[place[i]] = parts.outcomes[i];
+    if(parts.outcomes[i].is_used)
+      result.halfedges[place[i]] = *halfedges++;
     std::size_t& crossed = result.outcomes[place[i]].crossed_curve;
     if(crossed != SMC::Cut_outcome::none)
       crossed = place[crossed];
@@ -182,9 +200,13 @@ Parts parts_of_split(const Mesh& mesh, bool is_open, const Split& split)
 
 Parts segment_mesh(const Mesh& mesh, const std::vector<Constriction>& constrictions, const Segmentation& segmentation)
 {
-  return parts_of_split(mesh, segmentation.open, [&](const Marks& marks, const Ancestry_visitor& visitor, Mesh& copy) {
-    return split(constrictions, segmentation, marks, visitor, copy);
-  });
+  Numbers_of_parts border_from;
+  Parts result =
+      parts_of_split(mesh, segmentation.open, [&](const Marks& marks, const Ancestry_visitor& visitor, Mesh& copy) {
+        return split(constrictions, segmentation, marks, visitor, copy, border_from);
+      });
+  result.border_from = border_from;
+  return result;
 }
 
 Parts cut_along_borders(const Mesh& mesh, const Labelling& labelling)
@@ -193,6 +215,7 @@ Parts cut_along_borders(const Mesh& mesh, const Labelling& labelling)
     return SMC::split_along_label_borders(copy, labelling.tightened.borders,
                                           CGAL::parameters::edge_is_constrained_map(marks).visitor(visitor));
   });
+  result.border_from.resize(result.outcomes.size());
   // the label of most of a part
   std::vector<std::map<Label, double>> areas(result.parts.size());
   for(std::size_t f = 0; f < result.area_of_input_face.size(); ++f)

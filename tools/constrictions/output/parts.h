@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct Parts
   std::vector<std::map<std::size_t, double>> area_of_input_face; ///< in each part
   std::vector<CGAL::Surface_mesh_constrictions::Part_adjacency> adjacencies;
   std::vector<CGAL::Surface_mesh_constrictions::Cut_outcome> outcomes; ///< one for each constriction or border
+  /// for each constriction the least number of parts, as for `Segmentation::parts`, from which on it is a border,
+  /// whatever their number here; none if it never is, and of borders between labels
+  std::vector<std::optional<std::size_t>> border_from;
   double seconds = 0;
   Part_format format = Part_format::PLY; ///< of the files of the parts
 };

@@ -82,7 +82,8 @@ std::string parts_as_json(const Report& report, const Parts& parts)
                       {"separating", curve.is_separating()},
                       {"prominence", curve.prominence()},
                       {"cuts", outcome.is_used},
-                      {"crosses", crosses ? Json(outcome.crossed_curve) : Json()}});
+                      {"crosses", crosses ? Json(outcome.crossed_curve) : Json()},
+                      {"border_from", parts.border_from[c] ? Json(*parts.border_from[c]) : Json()}});
   }
   const Stage_seconds& t = report.seconds;
   const Json json = {{"format", "constrictions-parts/1"},

@@ -216,6 +216,7 @@ Json curves_as_json(const Report& report, const Parts& parts)
                       {"pivots", c.pivots().size()},
                       {"seeds", c.seeds().size()},
                       {"cuts", parts.outcomes[id].is_used},
+                      {"border_from", parts.border_from[id] ? Json(*parts.border_from[id]) : Json()},
                       {"parts", adjacent}});
   }
   return result;

@@ -5,8 +5,6 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Surface_part.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Curve_arrangement.h>
-#include <CGAL/Surface_mesh_constrictions/internal/parts/Cut_surface.h>
-#include <CGAL/Surface_mesh_constrictions/internal/parts/Part_finder.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/ranks_before.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
@@ -73,44 +71,40 @@ Arranged_curves<TriangleMesh> arrange(const TriangleMesh& tm, const std::vector<
   return result;
 }
 
-// Arranges the curves that the named parameters choose, as many as make no more parts than they allow. `imported()`
-// returns the imported mesh, and is called if parts must be counted.
-template <class TriangleMesh, class NamedParameters, class Imported>
-Arranged_curves<TriangleMesh> arrange_curves(const TriangleMesh& tm,
-                                             const std::vector<Constriction<TriangleMesh>>& curves,
-                                             const Imported& imported, const NamedParameters& np)
+// Arranges the curves that the named parameters choose, whatever the number of parts.
+template <class TriangleMesh, class NamedParameters>
+Arranged_curves<TriangleMesh>
+arrange_chosen(const TriangleMesh& tm, const std::vector<Constriction<TriangleMesh>>& curves, const NamedParameters& np)
+{
+  const std::vector<std::size_t> order = cutting_order(curves, np);
+  return arrange(tm, curves, order, order.size());
+}
+
+// Leaves out the curves that would make more parts than the named parameters allow. `cuts` are those of all curves that
+// the parameters choose. Returns whether there are any.
+template <class TriangleMesh, class NamedParameters>
+bool limit_parts(const TriangleMesh& tm, const std::vector<Constriction<TriangleMesh>>& curves,
+                 const std::vector<Nested_cut>& cuts, const NamedParameters& np,
+                 Arranged_curves<TriangleMesh>& arranged)
 {
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;
-  const std::vector<std::size_t> order = cutting_order(curves, np);
-  Arranged_curves<TriangleMesh> result = arrange(tm, curves, order, order.size());
   if constexpr(!is_default_parameter<NamedParameters, internal_np::maximum_number_of_parts_t>::value)
   {
     const std::size_t maximum = get_parameter(np, internal_np::maximum_number_of_parts);
-    const auto& mesh = imported();
-    const auto number_of_parts = [&](std::size_t n) {
-      return Part_finder(Cut_surface(mesh, *arrange(tm, curves, order, n).arrangement)).size();
-    };
-    // the number of parts does not fall as curves are added
-    const auto least_number_for_more_than = [&](std::size_t parts) {
-      std::size_t low = 0, high = order.size() + 1;
-      while(low < high)
-      {
-        const std::size_t middle = (low + high) / 2;
-        if(middle > order.size() || number_of_parts(middle) > parts)
-          high = middle;
-        else
-          low = middle + 1;
-      }
-      return low;
-    };
-    const std::size_t too_many = least_number_for_more_than(maximum);
-    if(too_many == 0)
-      result = arrange(tm, curves, order, 0);
-    else if(too_many <= order.size()) // without the last ones if they add no part
-      result = arrange(tm, curves, order, least_number_for_more_than(number_of_parts(too_many - 1) - 1));
+    const auto end =
+        std::find_if(cuts.begin(), cuts.end(), [=](const Nested_cut& c) { return c.number_of_parts > maximum; });
+    if(end == cuts.end())
+      return false;
+    const std::vector<std::size_t> order = cutting_order(curves, np);
+    std::size_t n = 0; // up to the last one that cuts
+    if(end != cuts.begin())
+      n = static_cast<std::size_t>(std::find(order.begin(), order.end(), (end - 1)->curve) - order.begin()) + 1;
+    arranged = arrange(tm, curves, order, n);
+    return true;
   }
-  return result;
+  else
+    return false;
 }
 
 } // namespace internal

@@ -28,6 +28,8 @@ namespace CGAL {
   DO(rim_constrictions_t, rim_constrictions)                                                                           \
   DO(maximum_number_of_parts_t, maximum_number_of_parts)                                                               \
   DO(choked_side_t, choked_side)                                                                                       \
+  DO(target_genus_t, target_genus)                                                                                     \
+  DO(maximum_number_of_handles_t, maximum_number_of_handles)                                                           \
   DO(with_caps_t, with_caps)                                                                                           \
   DO(with_filled_holes_t, with_filled_holes)                                                                           \
   DO(cap_output_iterator_t, cap_output_iterator)
