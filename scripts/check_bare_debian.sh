@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs demo.sh and test.sh from nothing: in a Debian in which only what debootstrap calls minbase is installed. Prints
-# for each run the exit code, the time, what it downloaded and what it takes on the disk, and ctest's summary. dpkg does
-# not wait for the disk. Needs root.
+# for each run the exit code, the time, what it downloaded and what it takes on the disk, and ctest's summary. Needs
+# root.
 #
 #   scripts/check_bare_debian.sh 12|13 [USER:COMMAND]...
 #
@@ -12,7 +12,7 @@
 #   COMMAND   demo, test
 #
 # Without them each user runs both. It takes hours; 3 GB for each run in build/bare_debian, where the logs are too.
-# DEBIAN_MIRROR is where the packages come from; http://deb.debian.org/debian if it is not set.
+# See scripts/bare_debian.sh for where the packages come from.
 set -euo pipefail
 
 usage() {
@@ -20,48 +20,16 @@ usage() {
   exit 2
 }
 
-case ${1:-} in
-  12) suite=bookworm ;;
-  13) suite=trixie ;;
-  *) usage ;;
-esac
+# shellcheck source=scripts/bare_debian.sh
+. "$(dirname "${BASH_SOURCE[0]}")/bare_debian.sh"
+case ${1:-} in 12 | 13) ;; *) usage ;; esac
 release=$1
 shift
 [ $# -gt 0 ] || set -- {root,sudo,nosudo}:{demo,test}
 for run in "$@"; do
   [[ $run =~ ^(root|sudo|nosudo):(demo|test)$ ]] || usage
 done
-if [ "$(id -u)" -ne 0 ]; then
-  echo "$0: debootstrap needs root" >&2
-  exit 2
-fi
-
-project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-folder="$project/build/bare_debian/$release"
-mirror=${DEBIAN_MIRROR:-http://deb.debian.org/debian}
-mkdir -p "$folder"
-command -v debootstrap > /dev/null || apt-get install --quiet=2 --yes --no-install-recommends debootstrap
-if [ ! -e "$folder/base.complete" ]; then
-  rm -rf --one-file-system "$folder/base"
-  debootstrap --variant=minbase "$suite" "$folder/base" "$mirror" > "$folder/debootstrap.log"
-  echo force-unsafe-io > "$folder/base/etc/dpkg/dpkg.cfg.d/unsafe_io"
-  rm -f "$folder"/base/var/cache/apt/archives/*.deb
-  touch "$folder/base.complete"
-fi
-
-# Runs a command in the root, in namespaces of its own: mounts and processes end with it.
-inside() { # USER COMMAND
-  # shellcheck disable=SC2016
-  unshare --mount --pid --fork sh -c '
-    mount --rbind /dev "$1/dev" && mount -t proc proc "$1/proc" && mount -t sysfs sysfs "$1/sys" &&
-      exec chroot --userspec="$2:$2" "$1" /usr/bin/env -i HOME="$3" LANG=C.UTF-8 PATH="$4" \
-        http_proxy="${http_proxy:-}" bash -c "cd $3/project && $5"' \
-    sh "$root" "$1" "$home" "$path" "$2" < /dev/null
-}
-
-megabytes() {
-  du --summarize --one-file-system --block-size=1M "$@" | tail -n 1 | cut -f 1
-}
+use_debian "$release"
 
 # What the command must show, whatever its exit code.
 check_log() { # COMMAND LOG
@@ -78,10 +46,8 @@ check_log() { # COMMAND LOG
 status=0
 for run in "$@"; do
   user=${run%:*} command=${run#*:}
-  root="$folder/$user-$command"
+  new_root "$user-$command"
   log="$root.log"
-  rm -rf --one-file-system "$root"
-  cp --archive --reflink=auto "$folder/base" "$root"
   path=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
   if [ "$user" = root ]; then
     name=root home=/root
@@ -89,9 +55,7 @@ for run in "$@"; do
     name=tester home=/home/tester
     chroot "$root" useradd --create-home --shell /bin/bash tester
   fi
-  mkdir -p "$root$home/project"
-  (cd "$project" && git ls-files -z | tar --create --null --ignore-failed-read --files-from=-) |
-    tar --extract --directory "$root$home/project"
+  copy_project "$home/project"
   chown --recursive "$(stat --format=%u:%g "$root$home")" "$root$home/project"
   if [ "$user" = sudo ]; then
     { inside root "apt-get update && apt-get install --yes --no-install-recommends sudo"; } > "$folder/sudo.log" 2>&1
@@ -106,7 +70,7 @@ for run in "$@"; do
   before=$(megabytes "$root")
   seconds=$SECONDS
   code=0
-  inside "$name" "./scripts/$command.sh" > "$log" 2>&1 || code=$?
+  inside "$name" "cd project && ./scripts/$command.sh" > "$log" 2>&1 || code=$?
   if [ "$user" = nosudo ]; then
     # The last line is what root is to do.
     asked=$(tail -n 1 "$log" | sed --quiet 's/.*As root: //p')
@@ -118,7 +82,7 @@ for run in "$@"; do
     inside root "export DEBIAN_FRONTEND=noninteractive; ${asked//install /install --yes }" > "$folder/nosudo.log" 2>&1
     path=/usr/local/bin:/usr/bin:/bin
     code=0
-    inside "$name" "./scripts/$command.sh" > "$log" 2>&1 || code=$?
+    inside "$name" "cd project && ./scripts/$command.sh" > "$log" 2>&1 || code=$?
   fi
   printf 'Debian %s, %s, %s.sh: exit code %s, %s minutes, %s MB of packages downloaded, %s MB on disk. %s\n' \
     "$release" "$user" "$command" "$code" $(((SECONDS - seconds + 30) / 60)) \

@@ -16,7 +16,7 @@ import os
 import subprocess
 import sys
 
-EXTENSIONS = (".off", ".obj", ".ply", ".stl")
+EXTENSIONS = (".off", ".obj", ".ply", ".stl", ".vtk", ".vtp", ".glb", ".3mf")
 CERTIFIED = ("strict_constriction", "constriction")
 
 

@@ -29,8 +29,8 @@ packages=(
   nlohmann-json3-dev
   zlib1g-dev
 )
-# for the page of the viewer
-optional=(esbuild libjs-three)
+# for the page of the viewer, and for VTP and 3MF files
+optional=(esbuild libexpat1-dev libjs-three libzip-dev)
 for_tests=true
 for argument in "$@"; do
   case $argument in

@@ -52,7 +52,7 @@ bool tells_results(const Options& options) { return !options.quiet && isatty(STD
 void check_outputs(const Options& options)
 {
   if(!options.folder.empty())
-    create_folder(options.folder);
+    check_folder(options.folder);
   if(options.writes_parts())
     for(const char* name : {"parts.json", "parts.ply", "parts.vtp"})
       check_writable(options.file_in_folder(name));
@@ -65,8 +65,8 @@ void check_outputs(const Options& options)
     check_writable(options.repaired);
   if(!options.labels_file().empty())
     check_writable(options.labels_file());
-  for(const std::vector<std::string>& files :
-      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files(), options.csv_files()})
+  for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files(), options.ply_files(),
+                                               options.vtp_files(), options.obj_files(), options.csv_files()})
     for(const std::string& file : files)
       check_writable(file);
 }
@@ -155,11 +155,13 @@ Part_files files_of_parts(const Options& options, const Report& report, const Pa
   for(std::size_t p = 0; p < parts.parts.size(); ++p)
   {
     names.push_back(part_file_name(p, parts.format));
+    if(p > 0 && names[p] == names[p - 1]) // one file has all
+      continue;
     try
     {
       files.push_back({options.file_in_folder(names.back()), part_as_file(parts, p)});
     }
-    catch(const std::range_error& e)
+    catch(const std::runtime_error& e)
     {
       throw Output_file_error(options.file_in_folder(names.back()), e.what());
     }
@@ -252,6 +254,8 @@ void write_outputs(const Options& options, const Report& report)
     files.push_back({name, report_as_ply(report)});
   for(const std::string& name : options.vtp_files())
     files.push_back({name, report_as_vtp(report)});
+  for(const std::string& name : options.obj_files())
+    files.push_back({name, report_as_obj(report)});
   for(const std::string& name : options.csv_files())
     files.push_back({name, report_as_csv(report)});
   std::vector<std::string> obsolete;
@@ -402,7 +406,7 @@ int certify(const Options& options)
 
   std::vector<Certified_curve> certified;
   {
-    Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
+    Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1, Detection_stage::CERTIFICATION);
     try
     {
       certified = certify_curves(mesh, curves, monitor);
@@ -413,6 +417,9 @@ int certify(const Options& options)
     }
   }
   tell_of_repairs(options.mesh, record);
+  if(curves.are_found_by_points)
+    std::cerr << "constrictions: " << printable(options.curves)
+              << ": the mesh is numbered in another way now; the curves were found by their points" << std::endl;
   const std::string json = certificates_as_json(options.mesh, record.numbering, certified);
   std::vector<Output_file> files;
   for(const std::string& name : options.json_files())

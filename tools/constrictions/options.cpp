@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options.h"
 
+#include "command_line.h"
+#include "help/command_help.h"
 #include "output/mesh_as_text.h"
 #include "output/parts.h"
 #include "usage_error.h"
+#include "zip_archive.h"
+
+#include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <CLI/CLI.hpp>
 
@@ -15,11 +20,14 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace constrictions {
@@ -27,14 +35,14 @@ namespace constrictions {
 namespace {
 
 namespace fs = std::filesystem;
+namespace SMC = CGAL::Surface_mesh_constrictions;
 
 const char* const description =
     "Finds the constrictions of a surface: closed curves of locally minimal length, where a rubber band around the\n"
-    "object stays put. The surface is a mesh in an OFF, OBJ, PLY or STL file, which may be gzipped; the file name - "
-    "is\n"
-    "the standard input. Polygons are triangulated, and places that are not manifold are repaired, without moving a\n"
-    "vertex; a line on the standard error output, and the JSON, say what was done. Faces and vertices are numbered as\n"
-    "in the file.\n";
+    "object stays put. The surface is a mesh in an OFF, OBJ, PLY, STL, VTK, VTP, GLB or 3MF file, which may be\n"
+    "gzipped; the file name - is the standard input. Polygons are triangulated, and places that are not manifold are\n"
+    "repaired, without moving a vertex; a line on the standard error output, and the JSON, say what was done. Faces\n"
+    "and vertices are numbered as in the file.\n";
 
 const char* const examples =
     "\nExamples:\n"
@@ -114,7 +122,9 @@ void add_reading(CLI::App& command, Reading& reading)
 
 void add_mesh(CLI::App& command, Options& options)
 {
-  command.add_option("MESH", options.mesh, "mesh (OFF, OBJ, PLY or STL, also gzipped); - is the standard input")
+  command
+      .add_option("MESH", options.mesh,
+                  "mesh (OFF, OBJ, PLY, STL, VTK, VTP, GLB or 3MF, also gzipped); - is the standard input")
       ->type_name("FILE|-")
       ->required()
       ->check(not_empty);
@@ -153,10 +163,9 @@ void add_common_options(CLI::App& command, Options& options)
 
   add_mesh(command, options);
   command
-      .add_option(
-          "-o", options.folder,
-          "write constrictions.json, constrictions.polylines.txt, and, for other viewers, constrictions.ply and "
-          "constrictions.vtp into the folder DIR; it is created if missing")
+      .add_option("-o", options.folder,
+                  "write constrictions.json, constrictions.polylines.txt, and, for other viewers, constrictions.ply, "
+                  "constrictions.vtp and constrictions.obj into the folder DIR; it is created if missing")
       ->type_name("DIR")
       ->check(not_empty);
   command.add_option("--json", options.json, "write all data of the curves as JSON; - prints it")
@@ -172,7 +181,7 @@ void add_common_options(CLI::App& command, Options& options)
       ->type_name("FILE|-")
       ->check(not_empty);
   add_no_certify(command, options.search);
-  command.add_flag("--quiet", options.quiet, "show no progress bar, and no summary at the end");
+  command.add_flag("--quiet", options.quiet, "show no progress, and no summary at the end");
   command.add_flag("--verbose", options.is_verbose,
                    "add centroids, numbers of pivots and seed levels to the table, and how the seeds ended");
   command.footer("\nWithout -o, --json, --csv and --polylines a table is printed.\n");
@@ -199,7 +208,7 @@ void add_certify_options(CLI::App& command, Options& options)
   command.add_option("--json", options.json, "write the verdicts as JSON; - prints them, instead of the lines")
       ->type_name("FILE|-")
       ->check(not_empty);
-  command.add_flag("--quiet", options.quiet, "show no progress bar");
+  command.add_flag("--quiet", options.quiet, "show no progress");
   command.footer("\nPrints a line for each curve: its id, and strict_constriction, constriction, or not_certified with "
                  "the\nreason. The exit code is 0 only if every curve is certified, else 1.\n");
 }
@@ -253,12 +262,13 @@ void add_segment_options(CLI::App& command, Options& options, std::string& side)
   command
       .add_option_function<std::string>(
           "--format", [&options](const std::string& name) { options.segmentation.format = *part_format(name); },
-          "the format of the files of the parts, by default ply; stl and glb have coordinates in single precision")
-      ->type_name("ply|stl|obj|glb")
+          "the format of the files of the parts, by default ply; stl and glb have coordinates in single precision; "
+          "3mf is one file, parts.3mf, with an object for each part")
+      ->type_name("ply|stl|obj|glb|3mf")
       ->check(CLI::IsMember(part_format_names()).description(""));
   command.add_flag("--open", options.segmentation.open, "do not close the holes of the parts");
   add_no_certify(command, options.search);
-  command.add_flag("--quiet", options.quiet, "show no progress bar, and print no table");
+  command.add_flag("--quiet", options.quiet, "show no progress, and print no table");
   command.footer("\nPrints a table of the parts. Of two curves that cross, the more prominent one cuts.\n");
 }
 
@@ -298,7 +308,7 @@ void add_view_options(CLI::App& command, Options& options)
       ->required()
       ->check(not_empty);
   add_no_certify(command, options.search);
-  command.add_flag("--quiet", options.quiet, "show no progress bar, and no summary at the end");
+  command.add_flag("--quiet", options.quiet, "show no progress, and no summary at the end");
   command.footer("\nA slider in the page shows weaker curves, too, down to a prominence of 0.01, or all with --all.\n");
 }
 
@@ -310,6 +320,14 @@ CLI::Validator not_negative()
         return CLI::detail::lexical_cast(text, value) && value >= 0 ? "" : "give a number that is not negative";
       },
       "");
+}
+
+// The end of a sentence.
+std::string by_default(double x)
+{
+  std::ostringstream out;
+  out << "; by default " << x;
+  return out.str();
 }
 
 void add_selection_options(CLI::App& command, Selection& selection)
@@ -328,21 +346,24 @@ void add_selection_options(CLI::App& command, Selection& selection)
       .add_option(
           "--min-prominence", selection.minimum_prominence,
           "leave out curves that slide to a shorter one, or off, when they are stretched by less than this share "
-          "of their length")
+          "of their length" +
+              by_default(SMC::default_minimum_prominence))
       ->type_name("P")
       ->check(not_negative());
   command
       .add_option(
           "--min-isolation", selection.minimum_isolation,
           "leave out curves that lie beside a more prominent one: the area between the two, divided by length^2, "
-          "is less than this")
+          "is less than this" +
+              by_default(SMC::default_minimum_isolation))
       ->type_name("I")
       ->check(not_negative());
   command
       .add_option(
           "--max-ratio", selection.maximum_ratio,
-          "leave out curves that cut off too small an area: length^2 / (4 pi area) is greater than this; it is 0.5 for "
-          "the equator of a sphere")
+          "leave out curves that cut off too small an area: length^2 / (4 pi area) is greater than this, which is 0.5 "
+          "for the equator of a sphere" +
+              by_default(SMC::default_maximum_isoperimetric_ratio))
       ->type_name("R")
       ->check(not_negative());
   command
@@ -454,8 +475,8 @@ void add_batch_options(CLI::App& command, Options& options)
   command
       .add_option(
           "INPUT", batch.inputs,
-          "a text file with the name of a mesh on each line (- is the standard input), a folder with OFF, OBJ, PLY "
-          "and STL files, also gzipped, or a mesh")
+          "a text file with the name of a mesh on each line (- is the standard input), a folder with OFF, OBJ, PLY, "
+          "STL, VTK, VTP, GLB and 3MF files, also gzipped, or a mesh")
       ->type_name("LIST|DIR|MESH ...")
       ->required()
       ->check(not_empty);
@@ -506,8 +527,8 @@ void check_files(const Options& options)
     if(!name.empty())
       names.push_back(name);
   const std::size_t inputs = names.size();
-  for(const std::vector<std::string>& files :
-      {options.json_files(), options.polylines_files(), options.ply_files(), options.vtp_files(), options.csv_files()})
+  for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files(), options.ply_files(),
+                                               options.vtp_files(), options.obj_files(), options.csv_files()})
     names.insert(names.end(), files.begin(), files.end());
   for(const std::string& name : {options.page, options.repaired, options.labels_file()})
     if(!name.empty())
@@ -522,7 +543,8 @@ void check_files(const Options& options)
 
   if(options.removes_handles())
     for(const char* name :
-        {"handles.json", "without_handles.ply", "without_handles.stl", "without_handles.obj", "without_handles.glb"})
+        {"handles.json", "without_handles.ply", "without_handles.stl", "without_handles.obj", "without_handles.glb",
+         "without_handles.3mf"})
       names.push_back(options.file_in_folder(name));
 
   std::vector<fs::path> places;
@@ -549,6 +571,21 @@ std::vector<std::string> files(const Options& options, const char* name_in_folde
   return result;
 }
 
+Command command_of(const std::string& name)
+{
+  const std::array<std::pair<const char*, Command>, 7> others = {{{"girth", Command::GIRTH},
+                                                                  {"tighten", Command::TIGHTEN},
+                                                                  {"certify", Command::CERTIFY},
+                                                                  {"segment", Command::SEGMENT},
+                                                                  {"batch", Command::BATCH},
+                                                                  {"view", Command::VIEW},
+                                                                  {"check", Command::CHECK}}};
+  for(const auto& [other, command] : others)
+    if(name == other)
+      return command;
+  return Command::DETECT;
+}
+
 } // namespace
 
 std::string Options::file_in_folder(const std::string& name) const { return (fs::path(folder) / name).string(); }
@@ -564,6 +601,8 @@ std::vector<std::string> Options::ply_files() const { return files(*this, "const
 
 std::vector<std::string> Options::vtp_files() const { return files(*this, "constrictions.vtp", ""); }
 
+std::vector<std::string> Options::obj_files() const { return files(*this, "constrictions.obj", ""); }
+
 std::string Options::labels_file() const
 {
   return labels.empty() || folder.empty() ? std::string() : file_in_folder("labels.txt");
@@ -574,16 +613,18 @@ std::vector<std::string> Options::csv_files() const
   return csv.empty() || prints_csv() ? std::vector<std::string>() : std::vector<std::string>{csv};
 }
 
-std::optional<int> parse_options(int argc, char** argv, Options& options)
+void describe_program(CLI::App& app, Options& options, Words& words)
 {
-  CLI::App app(description, "constrictions");
+  app.name("constrictions");
+  app.description(description);
+  app.formatter(std::make_shared<Help_formatter>());
   app.set_version_flag("--version", "constrictions " CONSTRICTIONS_VERSION);
   app.require_subcommand(1);
   app.footer(examples);
 
   CLI::App& detect = *app.add_subcommand("detect", "find the constrictions of a mesh");
   add_common_options(detect, options);
-  std::string policy = "gh", side;
+  std::string &policy = words.policy, &side = words.side;
   add_policy(detect, policy);
   add_threads(detect, options);
   add_selection_options(detect, options.selection);
@@ -638,32 +679,33 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
 
   CLI::App& check = *app.add_subcommand("check", "say everything that is wrong with a mesh");
   add_check_options(check, options);
+}
 
+std::optional<int> parse_options(int argc, char** argv, Options& options)
+{
+  CLI::App app;
+  Words words;
+  describe_program(app, options, words);
   try
   {
     app.parse(argc, argv);
-    options.command = girth.parsed()     ? Command::GIRTH
-                      : tighten.parsed() ? Command::TIGHTEN
-                      : certify.parsed() ? Command::CERTIFY
-                      : segment.parsed() ? Command::SEGMENT
-                      : batch.parsed()   ? Command::BATCH
-                      : view.parsed()    ? Command::VIEW
-                      : check.parsed()   ? Command::CHECK
-                                         : Command::DETECT;
-    options.policy = policy == "gh"   ? Policy::GARLAND_HECKBERT
-                     : policy == "lt" ? Policy::LINDSTROM_TURK
-                                      : Policy::EDGE_LENGTH;
+    options.command = command_of(app.get_subcommands().front()->get_name());
+    options.policy = words.policy == "gh"   ? Policy::GARLAND_HECKBERT
+                     : words.policy == "lt" ? Policy::LINDSTROM_TURK
+                                            : Policy::EDGE_LENGTH;
     if(options.search.location && !options.selection.minimum_prominence)
       options.selection.minimum_prominence = 0;
     if(options.search.location && !options.selection.minimum_isolation)
       options.selection.minimum_isolation = 0;
-    if(!side.empty())
-      options.segmentation.side = side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
-                                                   : CGAL::Surface_mesh_constrictions::Side::COMPLEMENT;
+    if(!words.side.empty())
+      options.segmentation.side = words.side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
+                                                         : CGAL::Surface_mesh_constrictions::Side::COMPLEMENT;
     if(options.removes_handles())
       options.selection.all = true;
     check_bounds(options.selection);
-    if(tighten.parsed() && options.loops.empty() && options.labels.empty())
+    if(options.segmentation.format == Part_format::THREE_MF && !has_zip())
+      throw CLI::ValidationError("--format", "this program was built without libzip, which writes 3MF files");
+    if(options.command == Command::TIGHTEN && options.loops.empty() && options.labels.empty())
       throw CLI::RequiredError("--loops or --labels");
     if(options.command != Command::BATCH) // whose folder has files of other names
       check_files(options);

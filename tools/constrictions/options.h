@@ -127,6 +127,7 @@ struct Options
   std::vector<std::string> polylines_files() const;
   std::vector<std::string> ply_files() const;
   std::vector<std::string> vtp_files() const;
+  std::vector<std::string> obj_files() const;
   std::vector<std::string> csv_files() const;
 
   /// of the new labels

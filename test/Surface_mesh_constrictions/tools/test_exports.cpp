@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -105,16 +106,60 @@ TEST_F(Exports, curves_as_ply)
   EXPECT_NE(ply.find("element vertex " + number + "\n"), std::string::npos);
   EXPECT_NE(ply.find("element edge " + number + "\n"), std::string::npos);
   const std::string mark = "end_header\n", data = ply.substr(ply.find(mark) + mark.size());
-  const std::size_t vertex = 3 * 8 + 3, edge = 2 * 4 + 3;
+  const std::size_t vertex = 3 * 8 + 3, edge = 2 * 4;
   ASSERT_EQ(data.size(), points.size() * (vertex + edge));
   for(std::size_t i = 0; i < points.size(); ++i)
   {
     EXPECT_EQ(json(numbers<double>(data.substr(i * vertex, 24))), points[i]);
+    EXPECT_EQ(data.substr(i * vertex + 24, 3), std::string("\xd5\x5e\0", 3));
     const std::string e = data.substr(points.size() * vertex + i * edge, edge);
-    EXPECT_EQ(numbers<std::uint32_t>(e.substr(0, 8)),
+    EXPECT_EQ(numbers<std::uint32_t>(e),
               (std::vector<std::uint32_t>{std::uint32_t(i), std::uint32_t((i + 1) % points.size())}));
-    EXPECT_EQ(e.substr(8), std::string("\xd5\x5e\0", 3));
   }
+}
+
+TEST_F(Exports, curves_as_lines_of_obj)
+{
+  detect("'" CONSTRICTIONS_MESH_DIR "/cactus.off'");
+  ASSERT_EQ(curves.size(), 3u);
+  std::istringstream lines(content("results/constrictions.obj"));
+  std::size_t curve = 0, points = 0, first = 1;
+  for(std::string line; std::getline(lines, line);)
+  {
+    std::istringstream words(line);
+    std::string keyword;
+    words >> keyword;
+    if(keyword == "o")
+      EXPECT_EQ(line, "o constriction_" + std::to_string(curve));
+    else if(keyword == "v")
+    {
+      std::vector<double> p(3);
+      words >> p[0] >> p[1] >> p[2];
+      EXPECT_EQ(json(p), curves[curve].at("points").at(points++));
+    }
+    else if(keyword == "l")
+    {
+      std::vector<std::size_t> line_points, expected;
+      for(std::size_t i; words >> i;)
+        line_points.push_back(i);
+      for(std::size_t i = 0; i < points; ++i)
+        expected.push_back(first + i);
+      expected.push_back(first);
+      EXPECT_EQ(line_points, expected);
+      EXPECT_EQ(points, curves[curve++].at("points").size());
+      first += points;
+      points = 0;
+    }
+  }
+  EXPECT_EQ(curve, 3u);
+}
+
+TEST_F(Exports, vtk_shows_an_array_at_first)
+{
+  detect("dumbbell.off");
+  EXPECT_NE(content("results/constrictions.vtp").find("<CellData Scalars=\"prominence\">"), std::string::npos);
+  ASSERT_EQ(run("segment dumbbell.off -o parts --quiet").exit_code, 0);
+  EXPECT_NE(content("parts/parts.vtp").find("<CellData Scalars=\"patch\">"), std::string::npos);
 }
 
 TEST_F(Exports, no_curves)

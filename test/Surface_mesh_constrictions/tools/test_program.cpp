@@ -239,10 +239,10 @@ TEST_F(Program, output_folder)
   EXPECT_EQ(r.exit_code, 0);
   EXPECT_EQ(r.out, "");
   EXPECT_EQ(r.err, "");
-  EXPECT_EQ(files(),
-            (std::set<fs::path>{"dumbbell.off", "tetrahedron.off", "deep", "deep/results",
-                                "deep/results/constrictions.json", "deep/results/constrictions.ply",
-                                "deep/results/constrictions.polylines.txt", "deep/results/constrictions.vtp"}));
+  EXPECT_EQ(files(), (std::set<fs::path>{"dumbbell.off", "tetrahedron.off", "deep", "deep/results",
+                                         "deep/results/constrictions.json", "deep/results/constrictions.ply",
+                                         "deep/results/constrictions.obj", "deep/results/constrictions.polylines.txt",
+                                         "deep/results/constrictions.vtp"}));
   const json j = json::parse(content("deep/results/constrictions.json"));
   const json& points = j.at("constrictions").at(0).at("points");
 
@@ -528,10 +528,22 @@ TEST_F(Program, help_and_version)
     EXPECT_NE(help.find(word), std::string::npos) << word;
 }
 
+TEST_F(Program, folders_are_made_for_every_output)
+{
+  EXPECT_EQ(run("detect dumbbell.off --json a/b/c.json --csv a/d/e.csv --polylines f/g.txt").exit_code, 0);
+  EXPECT_EQ(run("check dumbbell.off -o h/i.ply").exit_code, 0);
+  EXPECT_EQ(run("segment dumbbell.off --quiet -o j/k").exit_code, 0);
+  for(const char* name : {"a/b/c.json", "a/d/e.csv", "f/g.txt", "h/i.ply", "j/k/parts.json"})
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  // none is left behind where something else fails
+  expect_failure(3, "detect dumbbell.off --json l/m/n.json --csv dumbbell.off/a.csv",
+                 {"dumbbell.off: is not a folder"});
+}
+
 TEST_F(Program, unwritable_outputs)
 {
   write("file", "");
-  expect_failure(3, "detect dumbbell.off --json nowhere/a.json", {"nowhere/a.json: "});
+  expect_failure(3, "detect dumbbell.off --json file/a.json", {"file: is not a folder"});
   expect_failure(3, "detect dumbbell.off -o file", {"file: "});
   expect_failure(3, "detect dumbbell.off -o file/folder", {"file/folder: "});
   expect_failure(3, "detect dumbbell.off --polylines .", {"folder"});

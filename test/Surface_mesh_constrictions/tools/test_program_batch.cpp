@@ -436,7 +436,8 @@ TEST_F(Batch, unusable_inputs)
   expect_failure(1, "batch - -o out", {"standard input: the list of meshes is empty"});
   expect_failure(1, "batch binary", {"binary: is not a list of meshes"});
   expect_failure(1, "batch missing.txt -o out", {"missing.txt: no such file"});
-  expect_failure(1, "batch nothing -o out", {"nothing: there is no OFF, OBJ, PLY or STL file in the folder"});
+  expect_failure(1, "batch nothing -o out",
+                 {"nothing: there is no OFF, OBJ, PLY, STL, VTK, VTP, GLB or 3MF file in the folder"});
 }
 
 TEST_F(Batch, unusable_outputs)

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <functional>
 #include <sstream>
 #include <string>
@@ -236,6 +237,66 @@ TEST_F(Certify, numbers_and_directions_are_not_trusted)
   expect_certified(cactus, reversed);
 }
 
+// As a tool does that writes a mesh anew: other numbers for vertices and faces, and faces that begin at another corner.
+Soup numbered_anew(const Soup& soup)
+{
+  Soup result = soup;
+  const std::size_t n = soup.points.size(), m = soup.faces.size(), step = 7919; // a prime
+  for(std::size_t v = 0; v < n; ++v)
+    for(std::size_t k = 0; k < 3; ++k)
+      result.points[v * step % n][k] = soup.points[v][k];
+  for(std::size_t f = 0; f < m; ++f)
+    for(std::size_t k = 0; k < 3; ++k)
+      result.faces[f * step % m][k] = soup.faces[f][(k + f) % 3] * step % n;
+  return result;
+}
+
+TEST_F(Certify, curves_are_found_on_a_mesh_that_was_numbered_anew)
+{
+  const auto expect_found = [this](const Soup& soup, const json& of_old_mesh) {
+    write("anew.off", numbered_anew(soup).off());
+    const Result r = certify("anew.off", of_old_mesh);
+    EXPECT_EQ(r.exit_code, 0);
+    EXPECT_EQ(r.err, "constrictions: curves.json: the mesh is numbered in another way now; the curves were found by "
+                     "their points\n");
+    std::string expected;
+    for(const json& c : of_old_mesh.at("constrictions"))
+      expected += std::to_string(c.at("id").get<int>()) + ' ' + c.at("certificate").get<std::string>() + '\n';
+    EXPECT_EQ(r.out, expected);
+  };
+  for(const char* name : {"cactus.off", "elephant.off"})
+  {
+    const std::string mesh = CONSTRICTIONS_MESH_DIR "/" + std::string(name);
+    std::ifstream in(mesh);
+    expect_found(Soup(in), curves("'" + mesh + "'"));
+  }
+  std::istringstream cubes(dumbbell().off());
+  expect_found(Soup(cubes), curves("dumbbell.off"));
+  // in six digits, as some tools write: points are a little beside the edges
+  Soup rounded = cactus_soup();
+  for(auto& p : rounded.points)
+    for(double& x : p)
+      x = std::round(1e6 * x) / 1e6 + 1e-7;
+  expect_found(rounded, json::parse(run("detect " + cactus + " --json -").out));
+}
+
+TEST_F(Certify, curves_that_are_not_on_the_mesh_are_refused)
+{
+  Soup moved = numbered_anew(cactus_soup());
+  for(auto& p : moved.points)
+    p[0] += 0.01;
+  write("moved.off", moved.off());
+  write("curves.json", curves(cactus).dump());
+  expect_failure(1, "certify moved.off --curves curves.json", {"curves.json: curve 0, point ", "is not on this mesh"});
+  // without the points nothing can be found
+  json bare = curves(cactus);
+  for(json& c : bare.at("constrictions"))
+    c.erase("points");
+  write("bare.json", bare.dump());
+  write("anew.off", numbered_anew(cactus_soup()).off());
+  EXPECT_NE(run("certify anew.off --curves bare.json").exit_code, 0);
+}
+
 TEST_F(Certify, curves_of_others)
 {
   json around_tube = path(belt(4, 1, 2));
@@ -302,7 +363,8 @@ TEST_F(Certify, verdicts_as_json)
   EXPECT_EQ(to_file.exit_code, 0);
   EXPECT_EQ(to_file.out, "0 constriction\n");
   EXPECT_EQ(json::parse(content("verdicts.json")), j);
-  expect_failure(3, "certify dumbbell.off --curves curves.json --json nowhere/a.json", {"nowhere/a.json: "});
+  expect_failure(3, "certify dumbbell.off --curves curves.json --json curves.json/a.json",
+                 {"curves.json: is not a folder"});
 }
 
 TEST_F(Certify, no_curves_are_no_failure)

@@ -149,7 +149,7 @@ TEST_F(Csv, files)
   EXPECT_EQ(content("a.csv"), run("detect dumbbell.off --csv -").out);
   EXPECT_EQ(run("detect dumbbell.off -o results --csv results/a.csv").exit_code, 0);
   EXPECT_EQ(content("results/a.csv"), content("a.csv"));
-  expect_failure(3, "detect dumbbell.off --csv nowhere/a.csv", {"nowhere/a.csv: "});
+  expect_failure(3, "detect dumbbell.off --csv dumbbell.off/a.csv", {"dumbbell.off: is not a folder"});
   expect_failure(3, "detect dumbbell.off --csv .", {"folder"});
   for(const char* arguments :
       {"detect dumbbell.off --csv dumbbell.off", "detect dumbbell.off --csv b.json --json b.json",

@@ -263,6 +263,40 @@ TEST_F(Segment, formats)
     EXPECT_EQ(found, expected);
   }
   EXPECT_EQ(content("parts/part_0.glb").substr(0, 4), "glTF");
+  // the reader of the program agrees with that of the test
+  EXPECT_NEAR(PMP::volume(constrictions::read_mesh_file((folder / "parts" / "part_0.glb").string())), volumes[0], 1e-6);
+}
+
+TEST_F(Segment, one_file_of_3mf_has_all_parts)
+{
+  if(!CONSTRICTIONS_HAS_ZIP)
+  {
+    EXPECT_NE(run("segment " + cactus + " -o parts --format 3mf").err.find("without libzip"), std::string::npos);
+    return;
+  }
+  const json ply = segment(cactus);
+  double volume = 0;
+  for(const json& p : ply.at("parts"))
+    volume += p.at("volume").get<double>();
+  ASSERT_EQ(run("segment " + cactus + " -o parts --quiet --format 3mf").exit_code, 0);
+  std::set<std::string> found;
+  for(const fs::directory_entry& entry : fs::directory_iterator(folder / "parts"))
+    found.insert(entry.path().filename().string());
+  EXPECT_EQ(found, (std::set<std::string>{"parts.3mf", "parts.json", "parts.ply", "parts.vtp"}));
+  const json j = json::parse(content("parts/parts.json"));
+  for(const json& p : j.at("parts"))
+    EXPECT_EQ(p.at("file"), "parts.3mf");
+  const std::string archive = content("parts/parts.3mf");
+  ASSERT_EQ(run("segment " + cactus + " -o parts --quiet --format 3mf").exit_code, 0);
+  EXPECT_EQ(content("parts/parts.3mf"), archive); // it bears no time
+  if(CONSTRICTIONS_HAS_XML)
+  {
+    const constrictions::Mesh parts = constrictions::read_mesh_file((folder / "parts" / "parts.3mf").string());
+    EXPECT_NEAR(PMP::volume(parts), volume, 1e-12);
+  }
+  // it is removed when parts have files of their own again
+  ASSERT_EQ(run("segment " + cactus + " -o parts --quiet").exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder / "parts" / "parts.3mf"));
 }
 
 TEST_F(Segment, obj_files_name_their_part)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "output/progress_line.h"
+
 #include "include/program_fixture.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +70,20 @@ TEST_F(Terminal, a_mistake_is_told_in_one_line_with_a_guess)
       {"detect dumbbell.off --csv - --json -",
        "--csv: --json writes to the standard output, too; see constrictions detect --help"},
       {"detect dumbbell.off --json dumbbell.off",
-       "dumbbell.off: the output would overwrite the input; see constrictions detect --help"}};
+       "dumbbell.off: the output would overwrite the input; see constrictions detect --help"},
+      {"detect dumbbell.off --json a --csv a",
+       "a: two outputs would go to the same file; see constrictions detect --help"},
+      {"detect dumbbell.off --min-length 3 --max-length 2",
+       "--min-length: is greater than --max-length: no curve can be as long as that; see constrictions detect --help"},
+      {"detect dumbbell.off --polylines -", "--polylines: give the name of a file; see constrictions detect --help"},
+      {"check dumbbell.off -o a.stl",
+       "-o: give a file name that ends in .off, .obj or .ply; see constrictions check --help"},
+      {"check dumbbell.off --merge 0", "--merge: give a number that is greater than 0; see constrictions check --help"},
+      {"tighten dumbbell.off", "--loops or --labels is required; see constrictions tighten --help"},
+      {"batch dumbbell.off --slice 3/2",
+       "--slice: give the number of a slice and the number of slices, as in 2/10; see constrictions batch --help"},
+      {"segment dumbbell.off", "-o is required; see constrictions segment --help"}};
+  EXPECT_GE(mistakes.size(), 30u);
   for(const auto& [arguments, message] : mistakes)
   {
     expect_wrong_usage(arguments);
@@ -84,6 +99,7 @@ TEST_F(Terminal, what_was_written_and_found_is_told)
                     "         results/constrictions.polylines.txt\n"
                     "         results/constrictions.ply\n"
                     "         results/constrictions.vtp\n"
+                    "         results/constrictions.obj\n"
                     "         a.csv\n"
                     "1 constriction, 4 long, around 3 1.5 1.5\n");
   EXPECT_EQ(run_in_terminal("detect dumbbell.off -o results --quiet").err, "");
@@ -113,6 +129,52 @@ TEST_F(Terminal, what_was_written_and_found_is_told)
   expect_at_the_end(
       run_in_terminal("view dumbbell.off -o dumbbell.html --min-prominence 100"),
       "1 constriction, 4 long, around 3 1.5 1.5\n1 of a smaller prominence than 100 is not shown at first\n");
+}
+
+// As it is seen in a terminal of 80 columns: what is typed, and what is shown.
+TEST_F(Terminal, a_session)
+{
+  EXPECT_EQ(run("detect dumbbell.off").out,
+            " id      length  diameter prominence roundness separating certificate       side\n"
+            "  0           4     1.273      0.500     0.785        yes  not strict     object\n"
+            "1 constriction from 19 seed curves\n");
+  EXPECT_EQ(run("segment dumbbell.off -o parts").out, "");
+  EXPECT_EQ(run("check dumbbell.off").out, "");
+  const std::string mesh = "'" CONSTRICTIONS_MESH_DIR "/elephant.off'";
+  for(const std::string& arguments :
+      std::vector<std::string>{"detect " + mesh, "detect " + mesh + " --all", "segment " + mesh + " -o parts",
+                               "check " + mesh, "girth dumbbell.off --at 4,1,1"})
+  {
+    const Result r = run_in_terminal(arguments);
+    std::istringstream lines(r.out + r.err.substr(r.err.rfind('\r') == std::string::npos ? 0 : r.err.rfind('\r')));
+    for(std::string line; std::getline(lines, line);)
+      EXPECT_LE(line.size(), 80u) << line;
+  }
+}
+
+TEST(Progress, is_a_line_for_the_whole_with_the_time_left)
+{
+  using CGAL::Surface_mesh_constrictions::Detection_stage;
+  using constrictions::progress_line;
+  const constrictions::Stages all = {Detection_stage::SIMPLIFICATION, Detection_stage::SELECTION};
+  EXPECT_EQ(progress_line(all, Detection_stage::SIMPLIFICATION, 0, 1), "Simplification, 0%, 0:00:01");
+  EXPECT_EQ(progress_line(all, Detection_stage::SIMPLIFICATION, 0.4, 2),
+            "Simplification, 10%, 0:00:02, about 0:00:18 left");
+  EXPECT_EQ(progress_line(all, Detection_stage::SELECTION, 1, 3700), "Selection, 100%, 1:01:40, about 0:00:00 left");
+  EXPECT_EQ(progress_line({Detection_stage::CERTIFICATION, Detection_stage::CERTIFICATION},
+                          Detection_stage::CERTIFICATION, 0.5, 30),
+            "Certification, 50%, 0:00:30, about 0:00:30 left");
+  // it never goes back
+  double last = -1;
+  for(int stage = 0; stage < 6; ++stage)
+    for(double part : {0., 0.5, 1.})
+    {
+      const std::string line = progress_line(all, static_cast<Detection_stage>(stage), part, 10);
+      const double now = std::stod(line.substr(line.find(", ") + 2));
+      EXPECT_GE(now, last) << line;
+      EXPECT_LT(line.size(), 80u) << line;
+      last = now;
+    }
 }
 
 TEST_F(Terminal, loops_that_are_no_constrictions_are_told)

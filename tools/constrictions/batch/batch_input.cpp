@@ -4,11 +4,13 @@
 #include "input/input_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <unordered_set>
 #include <utility>
@@ -32,7 +34,8 @@ bool has_mesh_extension(const fs::path& name)
   std::string extension = lower_case_extension(name);
   if(extension == ".gz")
     extension = lower_case_extension(name.stem());
-  return extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
+  const std::array<std::string_view, 8> extensions = {".off", ".obj", ".ply", ".stl", ".vtk", ".vtp", ".glb", ".3mf"};
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
 std::vector<std::string> meshes_in_folder(const std::string& folder)
@@ -45,7 +48,7 @@ std::vector<std::string> meshes_in_folder(const std::string& folder)
   if(error)
     throw Input_file_error(folder, "the folder cannot be read: " + error.message());
   if(result.empty())
-    throw Input_file_error(folder, "there is no OFF, OBJ, PLY or STL file in the folder");
+    throw Input_file_error(folder, "there is no OFF, OBJ, PLY, STL, VTK, VTP, GLB or 3MF file in the folder");
   std::sort(result.begin(), result.end());
   return result;
 }

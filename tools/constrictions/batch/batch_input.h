@@ -16,7 +16,8 @@ struct Slice
 };
 
 /// returns the names of the meshes that the inputs stand for, each once, and of these the slice. An input is
-/// - a mesh, if its extension is that of a mesh file (off, obj, ply or stl, in any case, also with .gz behind it);
+/// - a mesh, if its extension is that of a mesh file (off, obj, ply, stl,
+///   vtk, vtp, glb or 3mf, in any case, also with .gz behind it);
 /// - a folder: the files in it that have such an extension, sorted by name;
 /// - else a list: a text file with a name on each line, or "-", the standard input. Lines without any character are
 ///   skipped.

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "batch/batch_progress.h"
 
-#include <iomanip>
+#include "output/clock_time.h"
+
 #include <iostream>
-#include <sstream>
 
 namespace constrictions {
-
-namespace {
-
-// h:mm:ss
-std::string clock_time(double seconds)
-{
-  const auto s = static_cast<std::uint64_t>(seconds + 0.5);
-  std::ostringstream out;
-  out << std::setfill('0') << s / 3600 << ':' << std::setw(2) << s / 60 % 60 << ':' << std::setw(2) << s % 60;
-  return out.str();
-}
-
-} // namespace
 
 Batch_progress::Batch_progress(bool is_shown, std::size_t meshes, std::uint64_t bytes)
   : m_is_shown(is_shown), m_meshes(meshes), m_bytes(bytes), m_begin(std::chrono::steady_clock::now())

@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <iostream>
 #include <new>
 #include <numeric>
 #include <optional>
@@ -184,7 +185,11 @@ void run_batch(const Options& options, const Detect& detect)
   catch_signals();
   go_through(meshes, options, detect, results, summary);
   if(caught_signal != 0)
+  {
+    if(results && !options.quiet)
+      std::cerr << "constrictions: batch: interrupted; the same command goes on where this one has ended" << std::endl;
     end_by_caught_signal();
+  }
   if(results && !options.quiet)
     write_to_standard_output(summary.as_table());
 }

@@ -2,18 +2,13 @@
 #ifndef CONSTRICTIONS_STAGE_MONITOR_H
 #define CONSTRICTIONS_STAGE_MONITOR_H
 
+#include "output/progress_line.h"
+
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 
 #include <array>
 #include <chrono>
 #include <cstddef>
-#include <memory>
-
-namespace boost {
-namespace timer {
-class progress_display;
-} // namespace timer
-} // namespace boost
 
 namespace constrictions {
 
@@ -23,8 +18,10 @@ class Stage_monitor
 public:
   typedef CGAL::Surface_mesh_constrictions::Detection_stage Stage;
 
-  /// \param show_progress whether to draw a bar for each stage on the standard error output
-  explicit Stage_monitor(bool show_progress);
+  /// \param show_progress whether to show a line on the standard error output: the stage, how much of the whole is done,
+  ///   and how long the rest will take, which is guessed. When this is destroyed the line is erased.
+  /// \param last the stage that ends the whole
+  explicit Stage_monitor(bool show_progress, Stage last = Stage::SELECTION);
   ~Stage_monitor();
 
   void begin(Stage stage, std::size_t steps);
@@ -36,9 +33,15 @@ public:
   CGAL::Surface_mesh_constrictions::Detection_statistics statistics;
 
 private:
-  bool m_show_progress;
-  std::unique_ptr<boost::timer::progress_display> m_bar;
-  std::chrono::steady_clock::time_point m_begin;
+  typedef std::chrono::steady_clock Clock;
+
+  void show(double part_of_stage);
+
+  bool m_show_progress, m_is_shown = false, m_has_begun = false;
+  Stages m_all;
+  Stage m_stage = Stage::SIMPLIFICATION;
+  std::size_t m_steps = 0;
+  Clock::time_point m_begin_of_all, m_begin, m_shown_at;
   std::array<double, 6> m_seconds = {0, 0, 0, 0, 0, 0};
 };
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input/curves_file.h"
 
+#include "input/find_on_mesh.h"
 #include "input/input_file.h"
+
+#include <CGAL/squared_distance_3.h>
 
 #include <nlohmann/json.hpp>
 
@@ -11,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,6 +70,7 @@ public:
       check_mesh(json["mesh"]);
 
     Curves result;
+    result.are_found_by_points = is_numbered_anew(array(json, "constrictions"));
     for(const Json& curve : array(json, "constrictions"))
     {
       std::uint64_t id = result.ids.size();
@@ -76,8 +81,11 @@ public:
         id = number(curve, "id");
       m_place = "curve " + std::to_string(id) + ": ";
       result.ids.push_back(id);
-      result.curves.push_back(read_curve(curve, id));
+      if(!result.are_found_by_points)
+        result.curves.push_back(read_curve(curve, id));
     }
+    if(result.are_found_by_points)
+      result.curves = find_curves(json["constrictions"], result.ids);
     return result;
   }
 
@@ -113,6 +121,107 @@ private:
     if(!value.is_number_unsigned())
       fail(quoted(key) + " is not a number counted from 0");
     return value.get<std::uint64_t>();
+  }
+
+  // How far a point may be from where it belongs.
+  double tolerance() const
+  {
+    CGAL::Bbox_3 box;
+    for(Mesh::Vertex_index v : m_mesh.vertices())
+      box += m_mesh.point(v).bbox();
+    const double x = box.xmax() - box.xmin(), y = box.ymax() - box.ymin(), z = box.zmax() - box.zmin();
+    return 1e-5 * std::sqrt(x * x + y * y + z * z);
+  }
+
+  // The points of a curve in space; nothing if they are missing, or are something else.
+  static std::optional<std::vector<Point>> points_of(const Json& curve)
+  {
+    if(!curve.is_object() || !curve.contains("points") || !curve["points"].is_array())
+      return std::nullopt;
+    std::vector<Point> result;
+    for(const Json& p : curve["points"])
+    {
+      if(!p.is_array() || p.size() != 3 ||
+         !std::all_of(p.begin(), p.end(), [](const Json& x) { return x.is_number(); }))
+        return std::nullopt;
+      result.emplace_back(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
+    }
+    return result;
+  }
+
+  // Whether a point is in a triangle of a face of the file.
+  bool is_in_face(const Point& p, std::uint64_t f, double distance) const
+  {
+    const bool is_plain = m_numbering.face.empty();
+    const std::size_t begin = is_plain ? f : m_first_triangle[f], end = is_plain ? f + 1 : m_first_triangle[f + 1];
+    for(std::size_t t = begin; t < end; ++t)
+    {
+      const Mesh::Halfedge_index h = m_mesh.halfedge(Mesh::Face_index(static_cast<Mesh::size_type>(t)));
+      const CGAL::Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle(
+          m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)), m_mesh.point(m_mesh.target(m_mesh.next(h))));
+      if(CGAL::squared_distance(p, triangle) <= distance * distance)
+        return true;
+    }
+    return false;
+  }
+
+  // Whether most points are not where the numbers say. What cannot be understood is no reason: it is told later.
+  bool is_numbered_anew(const Json& curves) const
+  {
+    const double distance = tolerance();
+    std::size_t points = 0, elsewhere = 0;
+    for(const Json& curve : curves)
+    {
+      const std::optional<std::vector<Point>> places = points_of(curve);
+      if(!places || !curve.contains("locations") || !curve["locations"].is_array() ||
+         curve["locations"].size() != places->size())
+        continue;
+      for(std::size_t i = 0; i < places->size(); ++i)
+      {
+        const Json& location = curve["locations"][i];
+        if(!location.is_object() || !location.contains("face") || !location["face"].is_number_unsigned() ||
+           location["face"].get<std::uint64_t>() >= m_numbering.faces)
+          continue;
+        ++points;
+        elsewhere += !is_in_face((*places)[i], location["face"].get<std::uint64_t>(), distance);
+      }
+    }
+    return 2 * elsewhere > points;
+  }
+
+  std::vector<Constriction> find_curves(const Json& curves, const std::vector<std::uint64_t>& ids)
+  {
+    std::vector<std::vector<Curve_point>> points;
+    for(std::size_t c = 0; c < curves.size(); ++c)
+    {
+      m_place = "curve " + std::to_string(ids[c]) + ": ";
+      const std::optional<std::vector<Point>> places = points_of(curves[c]);
+      if(!places || places->empty())
+        fail("the mesh is numbered in another way, and \"points\" are missing");
+      points.emplace_back();
+      for(const Point& p : *places)
+        points.back().push_back({p, false});
+      if(curves[c].contains("pivots"))
+        for(const Json& pivot : array(curves[c], "pivots"))
+          if(const std::uint64_t point = number(pivot, "point"); point < points.back().size())
+            points.back()[point].is_pivot = true;
+    }
+    std::vector<Constriction> result;
+    const std::vector<Found_curve> found = find_on_mesh(m_mesh, points, tolerance());
+    for(std::size_t c = 0; c < found.size(); ++c)
+    {
+      if(found[c].lost)
+      {
+        m_place = "curve " + std::to_string(ids[c]) + ", point " + std::to_string(*found[c].lost) + ": ";
+        fail("it is not on this mesh, whose faces have other numbers than those of the curves");
+      }
+      Constriction::Data data;
+      data.locations = found[c].locations;
+      direct(data.locations);
+      data.length = length(data.locations);
+      result.push_back(Constriction(std::move(data)));
+    }
+    return result;
   }
 
   Constriction read_curve(const Json& curve, std::uint64_t id)

@@ -17,6 +17,7 @@ struct Curves
 {
   std::vector<CGAL::Surface_mesh_constrictions::Constriction<Mesh>> curves;
   std::vector<std::uint64_t> ids;
+  bool are_found_by_points = false; ///< as the numbers in the file are those of another file of the mesh
 };
 
 /// reads closed curves from the JSON object that `report_as_json()` writes. Of each member of "constrictions" it takes
@@ -30,6 +31,10 @@ struct Curves
 ///   pivots.
 /// - "id", which may be missing: then it is the curve's place, counted from 0.
 ///
+/// If the member "points" is there, and fewer than half of these points are in the faces that the locations name, the mesh
+/// has been numbered anew. Then the points are looked for on the mesh, within 1e-5 of the diagonal of its box, which
+/// allows for a file with six digits.
+///
 /// Which of its two faces an edge is crossed from follows from the neighbouring points, or, where these leave a doubt,
 /// is the face that is given. Of the curves that are returned only the locations and the length are filled in; the
 /// length is that of the polygon through the points as they are given.
@@ -38,7 +43,8 @@ struct Curves
 /// \param mesh what the curves lie on
 /// \param numbering how its elements are called in its file
 ///
-/// Throws `Input_file_error`, with the id of the curve and the number of the point, for anything else. Whether
+/// Throws `Input_file_error`, with the id of the curve and the number of the point, for anything else, and for points
+/// that are looked for and not on the mesh. Whether
 /// consecutive points fit together is not checked: that is for the certificate to say.
 Curves read_curves_file(const std::string& name, const Mesh& mesh, const File_numbering& numbering);
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -62,6 +63,23 @@ bool is_binary_stl_of_other_size(const std::string& content, const std::string& 
   if(extension == ".stl" && stl_header < size && size <= content.size())
     return true; // with bytes behind
   return starts_with(content, "solid") && content.find('\0') < stl_header && !has_facets_in_words(content);
+}
+
+bool is_vtk(const std::string& content) { return starts_with(lower_case(content.substr(0, 14)), "# vtk datafile"); }
+
+bool is_xml_of_vtk(const std::string& content)
+{
+  const std::size_t looked_at = 4096, begin = content.find_first_not_of(" \t\r\n");
+  return begin != std::string::npos && content[begin] == '<' &&
+         content.substr(0, looked_at).find("<VTKFile") != std::string::npos;
+}
+
+std::string upper_case(std::string_view text)
+{
+  std::string result(text);
+  for(char& c : result)
+    c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
 }
 
 bool is_obj_keyword(std::string_view word)
@@ -116,6 +134,14 @@ Polygon_soup read_format(const Input_file& file)
   const std::string extension = extension_of(file.name);
   if(has_size_of_binary_stl(file.content) || is_binary_stl_of_other_size(file.content, extension))
     return read_binary_stl(file);
+  if(starts_with(file.content, "glTF"))
+    return read_glb(file);
+  if(starts_with(file.content, "PK\3\4"))
+    return read_3mf(file);
+  if(is_vtk(file.content))
+    return read_vtk(file);
+  if(is_xml_of_vtk(file.content))
+    return read_vtp(file);
   Text_scanner scanner(file);
   std::string_view word;
   if(scanner.next_line())
@@ -141,7 +167,15 @@ Polygon_soup read_format(const Input_file& file)
     return has_facets_in_words(file.content) ? read_ascii_stl(file) : read_binary_stl(file);
   if(extension == ".ply")
     file.fail("not a PLY file: it does not begin with ply");
-  file.fail("neither an OFF, OBJ, PLY nor STL file");
+  for(const auto& [name, begins] : {std::pair<const char*, const char*>(".vtk", "with the words \"# vtk DataFile\""),
+                                    {".vtp", "as XML with the element VTKFile"},
+                                    {".glb", "with the letters glTF"},
+                                    {".3mf", "as a zip archive"}})
+    if(extension == name)
+      file.fail("not a " + upper_case(name + 1) + " file: it does not begin " + begins);
+  if(extension == ".gltf")
+    file.fail("glTF in words is not read; GLB is, which is the same in one binary file");
+  file.fail("not a mesh in a format that is read: OFF, OBJ, PLY, STL, VTK, VTP, GLB and 3MF are");
 }
 
 using CGAL::Surface_mesh_constrictions::Invalid_input;

@@ -29,8 +29,9 @@ struct File_record
   Mesh_findings findings;
 };
 
-/// reads a mesh from an OFF, OBJ, PLY or STL file, which may be gzipped, or from the standard input if the name is "-".
-/// The formats are told apart by the content and, where that leaves a doubt, by the extension.
+/// reads a mesh from an OFF, OBJ, PLY, STL, VTK, VTP, GLB or 3MF file, which may be gzipped, or from the standard input if
+/// the name is "-". The formats are told apart by the content and, where that leaves a doubt, by the extension.
+/// Coordinates that the file has in single precision are taken as they are.
 ///
 /// If the file holds a closed, oriented triangle mesh, vertices and faces have the numbers of the file, and the
 /// halfedge of a face starts at its first corner. A vertex on no face keeps its number, but is marked as removed.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "input/byte_reader.h"
+#include "input/number_type.h"
 #include "input/readers.h"
 #include "input/text_scanner.h"
+#include "input/triangle_strip.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -16,20 +16,8 @@ namespace constrictions {
 
 namespace {
 
-// 64-bit integers are not of the format, but some programs write them
-enum class Type
-{
-  INT8,
-  UINT8,
-  INT16,
-  UINT16,
-  INT32,
-  UINT32,
-  INT64,
-  UINT64,
-  FLOAT32,
-  FLOAT64
-};
+// 64-bit integers are not of the format, but some programs write them.
+typedef Number_type Type;
 
 struct Property
 {
@@ -184,29 +172,11 @@ public:
         m_scanner.fail_at_word(m_element->name + " " + std::to_string(m_i), "a number");
       return value;
     }
-    switch(type)
-    {
-    case Type::INT8:
-      return read_bytes<std::int8_t>();
-    case Type::UINT8:
-      return read_bytes<std::uint8_t>();
-    case Type::INT16:
-      return read_bytes<std::int16_t>();
-    case Type::UINT16:
-      return read_bytes<std::uint16_t>();
-    case Type::INT32:
-      return read_bytes<std::int32_t>();
-    case Type::UINT32:
-      return read_bytes<std::uint32_t>();
-    case Type::INT64:
-      return static_cast<double>(read_bytes<std::int64_t>());
-    case Type::UINT64:
-      return static_cast<double>(read_bytes<std::uint64_t>());
-    case Type::FLOAT32:
-      return read_bytes<float>();
-    default:
-      return read_bytes<double>();
-    }
+    const std::size_t size = size_of(type);
+    if(remaining() < size)
+      fail_at_end();
+    m_pos += size;
+    return number_of_type(type, m_file.content.data() + m_pos - size, m_encoding == Encoding::LITTLE_ENDIAN_BINARY);
   }
 
   // for counts and vertex numbers
@@ -228,16 +198,6 @@ public:
   std::size_t remaining() const { return m_file.content.size() - m_pos; }
 
 private:
-  template <class T>
-  T read_bytes()
-  {
-    if(remaining() < sizeof(T))
-      fail_at_end();
-    m_pos += sizeof(T);
-    return number_from_bytes<T>(m_file.content.data() + m_pos - sizeof(T),
-                                m_encoding == Encoding::LITTLE_ENDIAN_BINARY);
-  }
-
   [[noreturn]] void fail_at_end() const
   {
     m_file.fail("the file ends at " + m_element->name + " " + std::to_string(m_i) + " of the " +
@@ -312,32 +272,20 @@ void read_faces(Body& body, const Element& element, std::size_t corners, std::si
   });
 }
 
-// Of a strip each vertex from the third on makes a triangle with the two before it, in turn of one orientation and of
-// the other. -1 begins a new strip. Triangles with a vertex twice, with which strips are led on, are skipped.
+// -1 begins a new strip.
 void read_strips(Body& body, const Element& element, std::size_t corners, std::size_t number_of_vertices,
                  Polygon_soup& soup)
 {
+  Triangle_strip strip(soup);
   for_each_list(body, element, corners, [&](const Property& property, long long n) {
-    std::size_t in_strip = 0;
-    Index before = 0, last = 0;
+    strip.begin();
     for(long long i = 0; i < n; ++i)
     {
       const long long number = body.read_integer(property.type);
       if(number == -1)
-      {
-        in_strip = 0;
-        continue;
-      }
-      const Index v = checked_index(soup.number_of_faces(), number, number_of_vertices);
-      if(++in_strip >= 3 && v != last && v != before && last != before)
-      {
-        const bool is_even = in_strip % 2 == 1;
-        for(Index corner : {is_even ? before : last, is_even ? last : before, v})
-          soup.corners.push_back(corner);
-        soup.end_face();
-      }
-      before = last;
-      last = v;
+        strip.begin();
+      else
+        strip.add(checked_index(soup.number_of_faces(), number, number_of_vertices));
     }
   });
 }

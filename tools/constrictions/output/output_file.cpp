@@ -2,6 +2,7 @@
 #include "output/output_file.h"
 
 #include "input/input_file.h"
+#include "output/held_signals.h"
 
 #include <cerrno>
 #include <cstddef>
@@ -97,6 +98,53 @@ void write_directly(const Output_file& file)
     throw Output_file_error(file.name, "cannot be written: " + error_text(errno));
 }
 
+// Folders that are missing, which are created now, and removed again unless they are kept.
+class New_folders
+{
+public:
+  New_folders() = default;
+  New_folders(const New_folders&) = delete;
+  New_folders& operator=(const New_folders&) = delete;
+
+  ~New_folders()
+  {
+    std::error_code error;
+    for(; !m_created.empty(); m_created.pop_back())
+      fs::remove(m_created.back(), error); // only if nothing is in it
+  }
+
+  void create(const std::string& name)
+  {
+    std::error_code error;
+    std::vector<fs::path> missing;
+    for(fs::path place = fs::absolute(name, error); !fs::exists(place, error) && place != place.parent_path();
+        place = place.parent_path())
+      missing.push_back(place);
+    for(; !missing.empty(); missing.pop_back())
+    {
+      if(fs::create_directory(missing.back(), error))
+        m_created.push_back(missing.back());
+      if(error)
+        throw Output_file_error(name, "the folder cannot be created: " + error.message());
+    }
+    if(!fs::is_directory(name, error))
+      throw Output_file_error(name, "is not a folder");
+  }
+
+  // in which a file is to be
+  void create_for(const std::string& file)
+  {
+    const fs::path folder = fs::path(file).parent_path();
+    if(!folder.empty())
+      create(folder.string());
+  }
+
+  void keep() { m_created.clear(); }
+
+private:
+  std::vector<fs::path> m_created;
+};
+
 // If it is there.
 void remove_file(const std::string& name)
 {
@@ -116,13 +164,12 @@ Output_file_error::Output_file_error(const std::string& file, const std::string&
 
 void create_folder(const std::string& name)
 {
-  std::error_code error;
-  fs::create_directories(name, error);
-  if(error)
-    throw Output_file_error(name, "the folder cannot be created: " + error.message());
-  if(!fs::is_directory(name, error))
-    throw Output_file_error(name, "is not a folder");
+  New_folders folders;
+  folders.create(name);
+  folders.keep();
 }
+
+void check_folder(const std::string& name) { New_folders().create(name); }
 
 void check_writable(const std::string& name)
 {
@@ -130,18 +177,24 @@ void check_writable(const std::string& name)
   if(fs::is_directory(name, error))
     throw Output_file_error(name, "is a folder, not a file");
   // opening a pipe would wait for its reader
-  if(!is_pipe_or_device(name))
-    Temporary_file{name};
+  if(is_pipe_or_device(name))
+    return;
+  New_folders folders;
+  folders.create_for(name);
+  Temporary_file{name};
 }
 
 void write_files(const std::vector<Output_file>& files, const std::vector<std::string>& obsolete)
 {
+  const Held_signals held;
+  New_folders folders;
   std::vector<Temporary_file> written;
   for(const Output_file& file : files)
     if(is_pipe_or_device(file.name))
       write_directly(file);
     else
     {
+      folders.create_for(file.name);
       written.emplace_back(file.name);
       written.back().write(file.content);
     }
@@ -151,6 +204,7 @@ void write_files(const std::vector<Output_file>& files, const std::vector<std::s
     remove_file(name);
   if(!written.empty())
     written.back().rename();
+  folders.keep();
 }
 
 void write_to_standard_output(const std::string& content)

@@ -150,7 +150,7 @@ std::string mesh_as_glb(const Mesh& mesh, const std::string& name, const Colour&
 
 const std::vector<std::string>& part_format_names()
 {
-  static const std::vector<std::string> names = {"ply", "stl", "obj", "glb"};
+  static const std::vector<std::string> names = {"ply", "stl", "obj", "glb", "3mf"};
   return names;
 }
 
@@ -165,12 +165,14 @@ std::optional<Part_format> part_format(const std::string& name)
 
 std::string part_file_name(std::size_t part, Part_format format)
 {
+  if(format == Part_format::THREE_MF)
+    return "parts.3mf";
   return "part_" + std::to_string(part) + '.' + part_format_names()[static_cast<std::size_t>(format)];
 }
 
 bool is_part_file_name(const std::string& name)
 {
-  static const std::regex pattern("part_[0-9]+\\.(ply|stl|obj|glb)");
+  static const std::regex pattern("part_[0-9]+\\.(ply|stl|obj|glb)|parts\\.3mf");
   return std::regex_match(name, pattern);
 }
 
@@ -209,6 +211,8 @@ std::string part_as_file(const Parts& parts, std::size_t part)
     return mesh_as_stl(mesh);
   case Part_format::OBJ:
     return "o " + name + '\n' + mesh_as_text(mesh, name + ".obj");
+  case Part_format::THREE_MF:
+    return parts_as_3mf(parts);
   case Part_format::GLB:
     return mesh_as_glb(mesh, name, part_colour(part));
   default:

@@ -14,7 +14,8 @@ enum class Part_format
   PLY,
   STL,
   OBJ,
-  GLB
+  GLB,
+  THREE_MF ///< one file for all parts
 };
 
 /// the names of the formats, which are the extensions of their files, in the order of the values

@@ -53,7 +53,7 @@ struct Parts
   Part_format format = Part_format::PLY; ///< of the files of the parts
 };
 
-/// the name of the file of a part
+/// the name of the file of a part, which in some formats is that of all parts
 std::string part_file_name(std::size_t part, Part_format format);
 
 /// whether `part_file_name()` gives this name, for some part and format
@@ -65,8 +65,13 @@ std::vector<std::string> part_files_of_earlier_run(const std::string& folder);
 
 /// the content of the file of a part: a mesh in the format of the parts, in the colour of the part. In STL, which is
 /// binary, and in GLB coordinates are rounded to single precision; throws `std::range_error` if they are too large for
-/// that. In OBJ it is an object `part_N`, in GLB a node of that name.
+/// that. In OBJ it is an object `part_N`, in GLB a node of that name. In 3MF, a file of all parts, each is such an object;
+/// throws `std::runtime_error` if the program was built without libzip.
 std::string part_as_file(const Parts& parts, std::size_t part);
+
+/// the parts as a 3MF file: an object `part_N` for each, in its colour, with all digits of the coordinates, which count
+/// as millimetres. Throws `std::runtime_error` if the program was built without libzip.
+std::string parts_as_3mf(const Parts& parts);
 
 /// the parts in the format "constrictions-parts/1", in one line
 std::string parts_as_json(const Report& report, const Parts& parts);

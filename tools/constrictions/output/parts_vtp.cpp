@@ -28,6 +28,7 @@ std::string mesh_as_vtp(const Mesh& mesh, const std::vector<std::size_t>& part_o
   }
   file.add_cell_data("patch", patches);
   file.add_cell_data("colour", colours);
+  file.show_cell_data("patch");
   return file.text();
 }
 

@@ -64,11 +64,15 @@ std::string report_as_polylines(const Report& report);
 
 /// the curves as VTK PolyData: a closed line each, with `id`, `length`, `prominence`, `is_certified`, `side`, which is
 /// 0 for the object, 1 for the complement and 2 for both, and a colour for the side; and for each point whether it is a
-/// pivot
+/// pivot. The prominence is what a viewer shows in colours at first.
 std::string report_as_vtp(const Report& report);
 
-/// the curves as the vertices and edges of a binary PLY file, coloured by side
+/// the curves as the vertices and edges of a binary PLY file. Vertices have the colour of the side; edges have none, as
+/// there are programs that cannot read colours of edges.
 std::string report_as_ply(const Report& report);
+
+/// the curves as a Wavefront OBJ file: of each an object `constriction_N` that is a closed line
+std::string report_as_obj(const Report& report);
 
 } // namespace constrictions
 

@@ -26,9 +26,8 @@ std::string report_as_ply(const Report& report)
         append_little_endian(p[i], vertices);
       append_little_endian(n, edges);
       append_little_endian(first + (n + 1 - first) % size, edges);
-      for(std::string* out : {&vertices, &edges})
-        for(std::uint8_t x : side_colour(c.side()))
-          append_little_endian(x, *out);
+      for(std::uint8_t x : side_colour(c.side()))
+        append_little_endian(x, vertices);
       ++n;
     }
   }
@@ -36,8 +35,7 @@ std::string report_as_ply(const Report& report)
   header << "ply\nformat binary_little_endian 1.0\ncomment constrictions of a surface, coloured by what they choke\n"
          << "element vertex " << n << "\nproperty double x\nproperty double y\nproperty double z\n"
          << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-         << "element edge " << n << "\nproperty int vertex1\nproperty int vertex2\n"
-         << "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+         << "element edge " << n << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
   return header.str() + vertices + edges;
 }
 

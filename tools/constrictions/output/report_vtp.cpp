@@ -47,6 +47,7 @@ std::string report_as_vtp(const Report& report)
   file.add_cell_data("is_certified", certificates);
   file.add_cell_data("side", sides);
   file.add_cell_data("colour", colours);
+  file.show_cell_data("prominence");
   return file.text();
 }
 

@@ -70,8 +70,8 @@ std::string Vtp_file::text() const
          "<PointData>\n" +
          m_point_data +
          "</PointData>\n"
-         "<CellData>\n" +
-         m_cell_data +
+         "<CellData" +
+         (m_shown.empty() ? "" : " Scalars=\"" + m_shown + '"') + ">\n" + m_cell_data +
          "</CellData>\n"
          "<Points>\n" +
          data_array("Float64", "Points", 3, m_coordinates) +

@@ -39,13 +39,16 @@ public:
   void add_cell_data(const std::string& name, const std::vector<Colour>& data);
   /// @}
 
+  /// makes data of cells, of one number each, those that a viewer shows in colours at first.
+  void show_cell_data(const std::string& name) { m_shown = name; }
+
   std::string text() const;
 
 private:
   Cells m_cells;
   std::vector<double> m_coordinates;
   std::vector<std::int64_t> m_connectivity, m_offsets;
-  std::string m_point_data, m_cell_data;
+  std::string m_point_data, m_cell_data, m_shown;
 };
 
 } // namespace constrictions
