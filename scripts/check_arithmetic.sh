@@ -137,7 +137,7 @@ aarch64() {
         sources=(test/Surface_mesh_constrictions/exact/*.cpp)
       fi
       printf '#include "%s"\n' "${sources[@]/#/$PWD/}" > "$root/$name.cpp"
-      aarch64-linux-gnu-g++ -std=c++17 -O1 -DNDEBUG -frounding-math "-ffp-contract=$contract" -static \
+      aarch64-linux-gnu-g++ -std=c++17 -O1 -Wno-psabi -DNDEBUG -frounding-math "-ffp-contract=$contract" -static \
         -DCONSTRICTIONS_MESH_DIR="\"$PWD/data/meshes\"" -Iinclude -Itest/Surface_mesh_constrictions \
         -isystem "$root/headers" -isystem "$root/headers/eigen3" -isystem "$root/usr/include" \
         -isystem "$root/usr/include/aarch64-linux-gnu" "$root/$name.cpp" -o "$root/$name-$contract" \

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -88,8 +89,8 @@ private:
     return sum;
   }
 
-  // Nothing is dominated by something longer or by itself, also not by way of others, and a separating curve of less
-  // than the default prominence has an end.
+  // Nothing is dominated by something longer or by itself, also not by way of others. On a closed surface a separating
+  // curve of less than the default prominence has an end; else it may come off at a hole.
   void check_hierarchy(const std::vector<Constriction>& all) const
   {
     for(std::size_t i = 0; i < all.size(); ++i)
@@ -103,7 +104,7 @@ private:
         fail("a curve is dominated by one that does not exist");
       if(c.dominated_by() && all[*c.dominated_by()].length() > c.length() * (1 + 1e-9))
         fail("a curve is dominated by a longer one");
-      if(c.is_separating() && c.prominence() < 0.05 && !c.dominated_by() && !c.slides_off())
+      if(CGAL::is_closed(m_mesh) && c.is_separating() && c.prominence() < 0.05 && !c.dominated_by() && !c.slides_off())
         fail("a separating curve of prominence " + std::to_string(c.prominence()) + " has no end");
       std::size_t steps = 0;
       for(std::optional<std::size_t> d = c.dominated_by(); d; d = all[*d].dominated_by())

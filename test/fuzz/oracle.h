@@ -93,7 +93,9 @@ public:
       const Arc &before = (*arcs)[(i + arcs->size() - 1) % arcs->size()], &after = (*arcs)[i];
       const std::array<std::optional<Real>, 2> angles = side_angles(after.from, after.out, before.back);
       for(std::size_t side = 0; side < 2; ++side)
-        if(!angles[side] || *angles[side] > pi() + epsilon())
+        if(turns_back(after.from, after.out, before.back))
+          answer.small_angles.emplace(after.node, side == 0); // either may be called the side of the angle of zero
+        else if(!angles[side] || *angles[side] > pi() + epsilon())
           is_strict[side] = true;
         else if(*angles[side] < pi() - epsilon())
           answer.small_angles.emplace(after.node, side == 0);
@@ -358,18 +360,27 @@ private:
     return arcs;
   }
 
+  // Whether a curve leaves in the direction that it came from.
+  bool turns_back(int v, const Direction& out, const Direction& back)
+  {
+    const Real turn = abs(place(v, back) - place(v, out));
+    return turn < epsilon() || (!is_on_boundary(v) && turn > total_angle(v) - epsilon());
+  }
+
+  // The angle from the first neighbour to a direction.
+  Real place(int v, const Direction& d)
+  {
+    Real sum = d.angle;
+    for(std::size_t i = 0; i < d.place; ++i)
+      sum += ring(v).corners[i];
+    return sum;
+  }
+
   // On the left and on the right of a curve that comes from `back` and goes to `out`; none on the side of a hole.
   std::array<std::optional<Real>, 2> side_angles(int v, const Direction& out, const Direction& back)
   {
-    const Ring& r = ring(v);
-    const auto place = [&r](const Direction& d) {
-      Real sum = d.angle;
-      for(std::size_t i = 0; i < d.place; ++i)
-        sum += r.corners[i];
-      return sum;
-    };
-    const Real turn = place(back) - place(out), total = total_angle(v);
-    if(!r.is_closed)
+    const Real turn = place(v, back) - place(v, out), total = total_angle(v);
+    if(is_on_boundary(v))
       return turn > 0 ? std::array<std::optional<Real>, 2>{{turn, std::nullopt}}
                       : std::array<std::optional<Real>, 2>{{std::nullopt, Real(-turn)}};
     const Real left = turn < 0 ? Real(turn + total) : turn;

@@ -437,7 +437,7 @@ int main(int argc, char** argv)
                 << std::endl;
       return 2;
     }
-    const constrictions::Thread_limit thread_limit(options.threads);
+    constrictions::limit_threads(options.threads);
     if(options.command == constrictions::Command::CERTIFY)
       return constrictions::certify(options);
     if(options.command == constrictions::Command::CHECK)
@@ -445,7 +445,7 @@ int main(int argc, char** argv)
     if(options.command == constrictions::Command::BATCH)
     {
       constrictions::run_batch(options, [&options](const std::string& mesh) {
-        const constrictions::Thread_limit one_thread(1); // several meshes are gone through at a time
+        constrictions::limit_threads(1); // several meshes are gone through at a time
         return constrictions::detection(options, mesh);
       });
       return 0;

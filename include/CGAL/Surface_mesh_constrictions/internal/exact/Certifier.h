@@ -154,7 +154,7 @@ public:
       {
         result.certificate.verdict =
             signs[c] == Proved_sign::UNPROVED ? Certificate_verdict::TIE_NOT_PROVED : Certificate_verdict::NOT_STRAIGHT;
-        result.certificate.location = arc.location + 1 + corners[c].portal;
+        result.certificate.location = (arc.location + 1 + corners[c].portal) % number_of_locations(arcs);
         result.certificate.side = corners[c].side;
         return result;
       }
@@ -180,6 +180,15 @@ public:
   }
 
 private:
+  // Of a closed curve, the first pivot of which may come after crossings of the last arc.
+  static std::size_t number_of_locations(const std::vector<Arc>& arcs)
+  {
+    std::size_t result = arcs.size();
+    for(const Arc& arc : arcs)
+      result += arc.crossings.size();
+    return result;
+  }
+
   // What is wrong with the first arc that is not straight.
   std::optional<Finding<Surface>> find_bent_arc(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
   {
