@@ -11,6 +11,10 @@
 #                                       which comparisons can be flipped without a test that notices
 #   configurations                      what .ci/run leaves out: the whole suite with the sanitizers of both compilers, and
 #                                       the same curves in the debug builds and with Clang
+#   arithmetic                          proofs on machines and with compilers that compute differently; prints a table
+#   faults                              each allocation and each call that writes fails once
+#   fuzz                                an hour of fuzzing against the oracle
+#   threads                             the tests of concurrency with ThreadSanitizer
 #   headers                             every header compiles on its own
 #   meshes                              all of CGAL's meshes but a point cloud are answered, each curve certified; prints
 #                                       the tables of the manual
@@ -24,7 +28,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 [ $# -gt 0 ] || set -- headers meshes selection completeness stability coverage \
-  mutation-{certificate,tightening,verification} configurations
+  mutation-{certificate,tightening,verification} configurations arithmetic faults fuzz threads
 mkdir -p build/nightly
 
 run() { # STEP
@@ -38,6 +42,15 @@ run() { # STEP
       scripts/test.sh debug:curves clang-debug:curves cgal6-debug:curves clang-release:curves \
         clang-cgal6-release:curves sanitizers clang-cgal6-sanitizers
       ;;
+    arithmetic) scripts/check_arithmetic.sh ;;
+    faults)
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+        cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 3200)" --target test_parts test_tools &&
+        CONSTRICTIONS_ALL_FAULTS=1 ctest --preset release -R 'Faults|AllocationFailures' --parallel "$(nproc)" \
+          --timeout 20000
+      ;;
+    fuzz) scripts/fuzz.sh 60 ;;
+    threads) scripts/check_threads.sh ;;
     headers)
       scripts/setup.sh && cmake --preset release -DWITH_TOOLS=OFF -DWITH_PYTHON=OFF -DWITH_EXAMPLES=OFF \
         -DWITH_TEST_PROGRAMS=OFF &&

@@ -33,6 +33,10 @@ const char* name_of(SMC::Certificate_verdict verdict)
     return "tie_not_proved";
   case SMC::Certificate_verdict::GEODESIC_ARC:
     return "geodesic_arc";
+  case SMC::Certificate_verdict::NO_DIRECTED_ROUNDING:
+    return "no_directed_rounding";
+  case SMC::Certificate_verdict::SUBNORMALS_FLUSHED:
+    return "subnormals_flushed";
   }
   return "";
 }

@@ -25,7 +25,8 @@ HEADERS = "include/CGAL/Surface_mesh_constrictions/internal"
 GROUPS = {
     "certificate": {
         "headers": ["Certifier.h", "Side_angle.h", "Exact_simplicity.h", "Exact_settler.h", "Sign_prover.h",
-                    "Exact_flat_band.h", "Flat_closed_strip.h", "Exact_string_puller.h", "Exact_arc.h"],
+                    "Exact_flat_band.h", "Flat_closed_strip.h", "Exact_string_puller.h", "Exact_arc.h",
+                    "floating_point_defect.h"],
         "programs": ["test_certificates"],
     },
     "tightening": {

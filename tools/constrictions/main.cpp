@@ -23,6 +23,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -502,18 +504,19 @@ int report_failure(const Options& options)
 
 int main(int argc, char** argv)
 {
+  std::signal(SIGXFSZ, SIG_IGN); // so that writing beyond the limit of file sizes fails, and can be told of
   constrictions::Options options;
-  if(const std::optional<int> exit_code = constrictions::parse_options(argc, argv, options))
-    return *exit_code;
-  if(options.command == constrictions::Command::VIEW && constrictions::page_template().empty())
-  {
-    std::cerr << "constrictions: view: this program was built without the viewer, which needs esbuild and three.js"
-              << std::endl;
-    return 2;
-  }
   try
   {
-    const constrictions::Thread_limit thread_limit(options.threads);
+    if(const std::optional<int> exit_code = constrictions::parse_options(argc, argv, options))
+      return *exit_code;
+    if(options.command == constrictions::Command::VIEW && constrictions::page_template().empty())
+    {
+      std::cerr << "constrictions: view: this program was built without the viewer, which needs esbuild and three.js"
+                << std::endl;
+      return 2;
+    }
+    constrictions::limit_threads(options.threads);
     if(options.command == constrictions::Command::CERTIFY)
       return constrictions::certify(options);
     if(options.command == constrictions::Command::CHECK)
@@ -521,7 +524,7 @@ int main(int argc, char** argv)
     if(options.command == constrictions::Command::BATCH)
     {
       constrictions::run_batch(options, [&options](const std::string& mesh) {
-        const constrictions::Thread_limit one_thread(1); // several meshes are gone through at a time
+        constrictions::limit_threads(1); // several meshes are gone through at a time
         return constrictions::detection(options, mesh);
       });
       return 0;
@@ -530,6 +533,14 @@ int main(int argc, char** argv)
   }
   catch(...)
   {
-    return constrictions::report_failure(options);
+    try
+    {
+      return constrictions::report_failure(options);
+    }
+    catch(const std::bad_alloc&) // nor for the message
+    {
+      std::fputs("constrictions: not enough memory\n", stderr);
+      return 1;
+    }
   }
 }

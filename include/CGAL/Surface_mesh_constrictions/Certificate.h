@@ -20,17 +20,19 @@ enum class Curve_side
 /// What exact arithmetic has proved of a closed curve.
 enum class Certificate_verdict
 {
-  NOT_COMPUTED,        ///< nothing: no certificate has been computed
-  STRICT_CONSTRICTION, ///< a simple closed geodesic that is shorter than every other closed curve close to it
-  CONSTRICTION,        ///< a simple closed geodesic in a flat band that holds at both ends
-  LEAKY_BAND,          ///< a simple closed geodesic in a flat band that it can slip out of without getting longer
-  NOT_A_CLOSED_CURVE,  ///< two consecutive locations do not fit together
-  NOT_STRAIGHT,        ///< in the unfolded strip the arc does not cross the inside of each edge
-  ANGLE_BELOW_PI,      ///< a side angle at a pivot is less than pi
-  CROSSES_ITSELF,      ///< a closed geodesic that crosses itself
-  TOUCHES_ITSELF,      ///< a closed geodesic that passes through a vertex twice without crossing itself there
-  TIE_NOT_PROVED,      ///< a number stayed around zero and could not be proved to be zero
-  GEODESIC_ARC         ///< an open curve that is straight, with side angles of at least pi, between its held ends
+  NOT_COMPUTED,         ///< nothing: no certificate has been computed
+  STRICT_CONSTRICTION,  ///< a simple closed geodesic that is shorter than every other closed curve close to it
+  CONSTRICTION,         ///< a simple closed geodesic in a flat band that holds at both ends
+  LEAKY_BAND,           ///< a simple closed geodesic in a flat band that it can slip out of without getting longer
+  NOT_A_CLOSED_CURVE,   ///< two consecutive locations do not fit together
+  NOT_STRAIGHT,         ///< in the unfolded strip the arc does not cross the inside of each edge
+  ANGLE_BELOW_PI,       ///< a side angle at a pivot is less than pi
+  CROSSES_ITSELF,       ///< a closed geodesic that crosses itself
+  TOUCHES_ITSELF,       ///< a closed geodesic that passes through a vertex twice without crossing itself there
+  TIE_NOT_PROVED,       ///< a number stayed around zero and could not be proved to be zero
+  GEODESIC_ARC,         ///< an open curve that is straight, with side angles of at least pi, between its held ends
+  NO_DIRECTED_ROUNDING, ///< nothing: the thread's floating-point operations do not round in the direction that is set
+  SUBNORMALS_FLUSHED    ///< nothing: the thread's floating-point operations take subnormal numbers for zero
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -114,6 +116,12 @@ inline std::ostream& operator<<(std::ostream& out, const Certificate& c)
                << " are the same vertex";
   case Certificate_verdict::TIE_NOT_PROVED:
     return out << "not_certified: tie not proved at point " << c.location;
+  case Certificate_verdict::NO_DIRECTED_ROUNDING:
+    return out << "not_certified: floating-point operations do not round in the direction that is set here, as under "
+                  "valgrind";
+  case Certificate_verdict::SUBNORMALS_FLUSHED:
+    return out << "not_certified: floating-point operations take subnormal numbers for zero here, as a library linked "
+                  "with -Ofast makes them do";
   case Certificate_verdict::GEODESIC_ARC:
     return out << "geodesic_arc";
   default:

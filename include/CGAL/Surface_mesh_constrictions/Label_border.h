@@ -60,7 +60,7 @@ struct Label_border
   double length = 0; ///< of that, in the unit of the mesh's coordinates; 0 if the border is gone
 
   Constriction<TriangleMesh> curve; ///< what a closed border is tightened to; empty if that is no constriction
-  Certificate certificate;          ///< that of `curve`; of an arc `GEODESIC_ARC`, or why that could not be proved
+  Certificate certificate; ///< that of `curve`, or why it could not be proved; of an arc `GEODESIC_ARC`, or why not
 
   /// how prominent `curve` is, if that has been asked for because closed borders cross; else NaN
   double prominence = std::numeric_limits<double>::quiet_NaN();

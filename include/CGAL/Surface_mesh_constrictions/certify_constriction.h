@@ -53,7 +53,10 @@ Certificate certify_constriction_checked(const TriangleMesh& tm, const Constrict
 ///    that ends at the boundary holds there.
 /// 7. *No pivots.* A curve without pivots is examined through the parallel copy of it that passes through vertices on
 ///    its right. If there is no such copy the curve is `NOT_STRAIGHT`. For such a curve the certificate names no place.
-/// 8. *Repeatable.* Neither `tm` nor `curve` is changed, and the same input gives the same certificate.
+/// 8. *Repeatable.* Neither `tm` nor `curve` is changed, and the same input gives the same certificate. The rounding
+///    mode of the caller may be any; it is the same after the call.
+/// 9. *Floating-point arithmetic.* First of all it is tried whether in this thread intervals of doubles are what they
+///    should be. If not, nothing is decided, and the verdict is `NO_DIRECTED_ROUNDING` or `SUBNORMALS_FLUSHED`.
 ///
 /// \tparam TriangleMesh a model of `HalfedgeGraph` with totally ordered descriptors
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -107,10 +110,13 @@ Certificate certify_constriction_checked(const TriangleMesh& tm, const Constrict
 
   const Surface surface(tm, vpm);
   internal::Certifier<Surface> certifier(surface);
+  Certificate result;
+  result.verdict = certifier.floating_point_defect();
+  if(result.verdict != Certificate_verdict::NOT_COMPUTED)
+    return result;
   const auto located = internal::exact_arcs_of_locations(certifier.prover(), curve.locations());
   if(located.verdict == Certificate_verdict::NOT_COMPUTED)
     return certifier.examine(located.arcs).certificate;
-  Certificate result;
   result.verdict = located.verdict;
   result.location = located.location;
   result.signs = certifier.prover().statistics();

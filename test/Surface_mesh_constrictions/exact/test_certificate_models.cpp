@@ -16,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -260,6 +261,36 @@ TEST(CertificateModels, EdgeRunToAndFroIsNoConstriction)
   const Mesh::Halfedge_index h = *halfedges(mesh).begin();
   const auto curve = exact_models::curve_of_loop(mesh, {mesh.source(h).idx(), mesh.target(h).idx()});
   EXPECT_EQ(certify_constriction(mesh, curve).verdict, Certificate_verdict::ANGLE_BELOW_PI);
+}
+
+// The ring of a waist, led past one of its vertices.
+TEST(CertificateModels, ThePlaceIsOneOfTheLocationsWhereverTheCurveStarts)
+{
+  const Soup soup = exact_models::waist(1);
+  const Mesh mesh = test_meshes::make_mesh(soup);
+  std::vector<Mesh::Vertex_index> ring;
+  for(std::size_t v : exact_models::vertices_at(soup, exact_models::ring(exact_models::square(), 1, 5)))
+    ring.emplace_back(static_cast<Mesh::size_type>(v));
+  typedef Constriction<Mesh>::Location Location;
+  std::vector<Location> curve;
+  const auto next = [&mesh](Mesh::Halfedge_index h) { return mesh.opposite(mesh.next(h)); };
+  for(Mesh::Halfedge_index h = next(mesh.halfedge(ring[3], ring[0])); mesh.source(h) != ring[1]; h = next(h))
+    curve.push_back({false, Mesh::Vertex_index(), mesh.opposite(h), 0.5});
+  ASSERT_FALSE(curve.empty());
+  const Mesh::Halfedge_index first_crossed = curve.front().halfedge;
+  for(std::size_t i = 1; i < 4; ++i)
+    curve.push_back({true, ring[i], Mesh::Halfedge_index(), 0});
+  for(std::size_t start = 0; start < curve.size(); ++start)
+  {
+    Constriction<Mesh>::Data data;
+    data.locations = curve;
+    const Certificate c = certify_constriction(mesh, Constriction<Mesh>(data));
+    EXPECT_EQ(c.verdict, Certificate_verdict::NOT_STRAIGHT) << c;
+    ASSERT_LT(c.location, curve.size()) << start;
+    EXPECT_EQ(curve[c.location].halfedge, first_crossed) << start;
+    EXPECT_EQ(c.side, Curve_side::RIGHT);
+    std::rotate(curve.begin(), curve.begin() + 1, curve.end());
+  }
 }
 
 TEST(CertificateModels, PathThatSkipsAnEdgeIsNoClosedCurve)

@@ -3,34 +3,26 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+
+#include <deque>
 #endif
 
 namespace constrictions {
 
 #ifdef CGAL_LINKED_WITH_TBB
 
-struct Thread_limit::Control
+void limit_threads(std::optional<std::size_t> threads)
 {
-  explicit Control(std::size_t threads) : tbb_control(tbb::global_control::max_allowed_parallelism, threads) {}
-
-  tbb::global_control tbb_control;
-};
-
-Thread_limit::Thread_limit(std::optional<std::size_t> threads)
-{
+  // never destroyed: oneTBB allocates memory for that, and ends the process where there is none
+  static std::deque<tbb::global_control>& limits = *new std::deque<tbb::global_control>();
   if(threads)
-    m_control = std::make_unique<Control>(*threads);
+    limits.emplace_back(tbb::global_control::max_allowed_parallelism, *threads);
 }
 
 #else
 
-struct Thread_limit::Control
-{};
-
-Thread_limit::Thread_limit(std::optional<std::size_t>) {}
+void limit_threads(std::optional<std::size_t>) {}
 
 #endif
-
-Thread_limit::~Thread_limit() = default;
 
 } // namespace constrictions

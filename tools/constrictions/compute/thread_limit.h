@@ -3,23 +3,14 @@
 #define CONSTRICTIONS_THREAD_LIMIT_H
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 
 namespace constrictions {
 
-/// As long as it lives, no more threads compute than the given number. Without a number, or where the program has been
-/// built without oneTBB and computes with one thread anyway, it does nothing.
-class Thread_limit
-{
-public:
-  explicit Thread_limit(std::optional<std::size_t> threads);
-  ~Thread_limit();
-
-private:
-  struct Control;
-  std::unique_ptr<Control> m_control;
-};
+/// From now on, until the process ends, no more threads compute than the given number, and than earlier calls have said.
+/// Without a number, or where the program has been built without oneTBB and computes with one thread anyway, it does
+/// nothing.
+void limit_threads(std::optional<std::size_t> threads);
 
 } // namespace constrictions
 

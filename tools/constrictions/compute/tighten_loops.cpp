@@ -7,9 +7,25 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <cstddef>
+#include <sstream>
 #include <string>
 
 namespace constrictions {
+
+namespace {
+
+// What follows a statement that there is no certificate; empty if none has been computed.
+std::string reason(const CGAL::Surface_mesh_constrictions::Certificate& certificate)
+{
+  using CGAL::Surface_mesh_constrictions::Certificate_verdict;
+  if(certificate.verdict == Certificate_verdict::NOT_COMPUTED)
+    return "";
+  std::ostringstream text;
+  text << certificate;
+  return text.str().substr(text.str().find(": "));
+}
+
+} // namespace
 
 void tighten_loops(const Loops& loops, bool certifies, Stage_monitor& monitor, Report& report)
 {
@@ -34,7 +50,8 @@ void tighten_loops(const Loops& loops, bool certifies, Stage_monitor& monitor, R
       break;
     case Tightening_verdict::NOT_CERTIFIED:
       ++report.statistics.not_certified;
-      report.remarks.push_back(loop + ": not certified, it could not be proved to shorten to a constriction");
+      report.remarks.push_back(loop + ": not certified, it could not be proved to shorten to a constriction" +
+                               reason(tightened.certificate));
       break;
     }
     monitor.step(++done);

@@ -62,17 +62,16 @@ public:
     Tightened_curve<TriangleMesh> result;
     result.verdict = m_settler.settle(c);
     double band_width = m_settler.band_width();
-    Certificate certificate;
     if(m_certifies && !m_network.is_empty(c))
     {
-      certificate = m_exact_settler.settle(m_network, c);
-      band_width = m_unit.divided(certificate.flat_band_width);
-      result.verdict = tightening_verdict(certificate, m_network.is_empty(c));
+      result.certificate = m_exact_settler.settle(m_network, c);
+      band_width = m_unit.divided(result.certificate.flat_band_width);
+      result.verdict = tightening_verdict(result.certificate, m_network.is_empty(c));
     }
     if(result.verdict == Tightening_verdict::CLOSED_GEODESIC)
     {
       const Seed_curve seed = {0, std::move(path), Seed_origin::USER};
-      result.curve = m_maker.make(m_network, c, std::vector<Seed_curve>(1, seed), band_width, certificate);
+      result.curve = m_maker.make(m_network, c, std::vector<Seed_curve>(1, seed), band_width, result.certificate);
     }
     m_network.remove(c);
     return result;

@@ -208,12 +208,14 @@ struct Certified_curves
 };
 
 // Whether nothing is proved against a curve that is not certified, because a sign stayed open: either one on which the
-// certificate rests, or one that the correction needed at an angle that is too small by less than a rounding error. Up
-// to rounding the curve is a simple closed geodesic.
+// certificate rests, or one that the correction needed at an angle that is too small by less than a rounding error, or
+// all, where floating-point arithmetic has a defect. Up to rounding the curve is a simple closed geodesic.
 inline bool remains_open(const Progressive_mesh& pm, const std::vector<Arc>& arcs, Certificate_verdict verdict)
 {
-  if(arcs.empty() || (verdict != Certificate_verdict::TIE_NOT_PROVED && verdict != Certificate_verdict::NOT_STRAIGHT &&
-                      verdict != Certificate_verdict::ANGLE_BELOW_PI))
+  if(arcs.empty() ||
+     (verdict != Certificate_verdict::TIE_NOT_PROVED && verdict != Certificate_verdict::NOT_STRAIGHT &&
+      verdict != Certificate_verdict::ANGLE_BELOW_PI && verdict != Certificate_verdict::NO_DIRECTED_ROUNDING &&
+      verdict != Certificate_verdict::SUBNORMALS_FLUSHED))
     return false;
   for(Curve_side side : {Curve_side::LEFT, Curve_side::RIGHT})
     if(side_angle_range(pm, arcs, side).first < CGAL_PI - flat_tolerance)

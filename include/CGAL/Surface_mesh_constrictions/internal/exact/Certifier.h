@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Prismatic_strip.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Side_angle.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Sign_prover.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/floating_point_defect.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -48,17 +49,23 @@ struct Finding
 };
 
 // Decides the conditions of the contract in `certify_constriction.h` exactly, in their order, but for the first one,
-// which `arcs_of_locations()` decides.
+// which `arcs_of_locations()` decides. Used by the thread that made it: where the floating-point arithmetic of this
+// thread has a defect, each examination ends with that.
 template <class Surface>
 class Certifier
 {
 public:
   typedef Exact_arc<Surface> Arc;
 
-  explicit Certifier(const Surface& surface) : m_prover(surface) {}
+  explicit Certifier(const Surface& surface)
+    : m_prover(surface), m_floating_point_defect(internal::floating_point_defect())
+  {}
 
   const Surface& surface() const { return m_prover.surface(); }
   Sign_prover<Surface>& prover() { return m_prover; }
+
+  // NOT_COMPUTED if there is none.
+  Certificate_verdict floating_point_defect() const { return m_floating_point_defect; }
 
   // Takes arcs that fit together. See `certify_constriction()` for the cost.
   Finding<Surface> examine(const std::vector<Arc>& arcs)
@@ -70,6 +77,8 @@ public:
   // As above, but decides only signs that are not yet in `known`, which has an element for each arc, and adds them.
   Finding<Surface> examine(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
   {
+    if(m_floating_point_defect != Certificate_verdict::NOT_COMPUTED)
+      return Finding<Surface>(m_floating_point_defect);
     const Sign_statistics before = m_prover.statistics();
     Finding<Surface> result = find(arcs, known);
     result.certificate.signs = m_prover.statistics() - before;
@@ -80,6 +89,8 @@ public:
   // least pi at each pivot between; else the first condition that is violated.
   Finding<Surface> examine_path(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
   {
+    if(m_floating_point_defect != Certificate_verdict::NOT_COMPUTED)
+      return Finding<Surface>(m_floating_point_defect);
     const Sign_statistics before = m_prover.statistics();
     std::array<bool, 2> is_strict = {{false, false}};
     std::optional<Finding<Surface>> defect = find_bent_arc(arcs, known);
@@ -143,7 +154,7 @@ public:
       {
         result.certificate.verdict =
             signs[c] == Proved_sign::UNPROVED ? Certificate_verdict::TIE_NOT_PROVED : Certificate_verdict::NOT_STRAIGHT;
-        result.certificate.location = arc.location + 1 + corners[c].portal;
+        result.certificate.location = (arc.location + 1 + corners[c].portal) % number_of_locations(arcs);
         result.certificate.side = corners[c].side;
         return result;
       }
@@ -169,6 +180,15 @@ public:
   }
 
 private:
+  // Of a closed curve, the first pivot of which may come after crossings of the last arc.
+  static std::size_t number_of_locations(const std::vector<Arc>& arcs)
+  {
+    std::size_t result = arcs.size();
+    for(const Arc& arc : arcs)
+      result += arc.crossings.size();
+    return result;
+  }
+
   // What is wrong with the first arc that is not straight.
   std::optional<Finding<Surface>> find_bent_arc(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
   {
@@ -252,6 +272,7 @@ private:
   }
 
   Sign_prover<Surface> m_prover;
+  Certificate_verdict m_floating_point_defect;
 };
 
 } // namespace internal

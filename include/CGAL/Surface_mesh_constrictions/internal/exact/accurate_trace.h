@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Double_double.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Planar.h>
 
+#include <CGAL/FPU.h>
+
 #include <boost/multiprecision/mpfr.hpp>
 
 #include <algorithm>
@@ -186,9 +188,11 @@ Crossing_parameters accurate_parameters(const Progressive_mesh& pm, const Arc& a
 
 // Like trace(), with parameters whose errors are some roundings of 1 also where the curve meets edges at the smallest
 // of angles, and after any number of faces: with numbers of 106 bits, and, where the bound of their error says that
-// these are not enough, of 300 digits. Linear; three to nine times the cost of trace().
+// these are not enough, of 300 digits, whatever rounding mode the caller has set. Linear; three to nine times the cost of
+// trace().
 inline std::vector<Trace_point> accurate_trace(const Progressive_mesh& pm, const std::vector<Arc>& curve)
 {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
   std::vector<Trace_point> result;
   for(const Arc& arc : curve)
   {

@@ -127,6 +127,7 @@ private:
       break;
     case Tightening_verdict::NOT_CERTIFIED:
       border.outcome = Label_border_outcome::NOT_CERTIFIED;
+      border.certificate = tightened.certificate;
       break;
     }
   }

@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Fuzzes with libFuzzer, from the inputs of test/fuzz/corpus on, which it replaces by the least ones that reach what all
+# that were found reach. An input that fails is kept, and printed as a line for the corpus; the exit code is then 1.
+# What was found but is not among the least is in build/fuzz/corpus, and is used the next time.
+#
+#   scripts/fuzz.sh MINUTES [TARGET...]      minutes for all targets together; all of them, if none is given
+#
+#   meshes         small meshes: detection, certificates, tightening, hierarchy and selection against the oracle
+#   mesh_readers   files of meshes
+#   curve_readers  files of curves, loops and labels
+set -euo pipefail
+
+if [ $# -eq 0 ] || ! [[ $1 =~ ^[0-9]+$ ]]; then
+  echo "usage: $0 MINUTES [TARGET...]" >&2
+  exit 2
+fi
+seconds=$(($1 * 60))
+shift
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+[ $# -gt 0 ] || set -- meshes mesh_readers curve_readers
+
+scripts/setup.sh clang
+clang_version=$(clang++ -dumpversion)
+scripts/setup.sh "libclang-rt-${clang_version%%.*}-dev"
+cmake --preset clang-fuzzing
+cmake --build --preset clang-fuzzing --parallel "$(scripts/number_of_jobs.sh 3200)" --target "${@/#/fuzz_}"
+
+# One input a line, in hexadecimal digits.
+unpack() { # CORPUS FOLDER
+  python3 - "$@" << 'END'
+import hashlib, pathlib, sys
+for line in pathlib.Path(sys.argv[1]).read_text().split("\n") if pathlib.Path(sys.argv[1]).exists() else []:
+    if line and not line.startswith("#"):
+        data = bytes.fromhex(line)
+        (pathlib.Path(sys.argv[2]) / hashlib.sha1(data).hexdigest()).write_bytes(data)
+END
+}
+
+# The comments stay, and the inputs that follow one: these have failed once.
+pack() { # FOLDER CORPUS
+  python3 - "$@" << 'END'
+import pathlib, sys
+corpus = pathlib.Path(sys.argv[2])
+kept, seen, is_kept = [], set(), False
+for line in corpus.read_text().split("\n") if corpus.exists() else []:
+    if line.startswith("#"):
+        kept.append(line)
+    elif line and is_kept:
+        kept.append(line)
+        seen.add(line)
+    is_kept = line.startswith("#") and line != "# reaches what the others do not:"
+    if line == "# reaches what the others do not:":
+        kept.pop()
+found = sorted((p.read_bytes().hex() for p in pathlib.Path(sys.argv[1]).iterdir()), key=lambda x: (len(x), x))
+corpus.write_text("\n".join(kept + ["# reaches what the others do not:"] + [x for x in found if x not in seen]) + "\n")
+END
+}
+
+status=0
+for target in "$@"; do
+  folder=build/fuzz/corpus/$target
+  least=build/fuzz/least/$target
+  failures=build/fuzz/failures
+  rm -rf "$least"
+  mkdir -p "$folder" "$least" "$failures"
+  unpack "test/fuzz/corpus/$target.hex" "$folder"
+  log=build/fuzz/$target.log
+  longest=$([ "$target" = meshes ] && echo 96 || echo 1024)
+  if ! "build/clang-fuzzing/test/fuzz/fuzz_$target" -max_total_time=$((seconds / $#)) -max_len="$longest" -timeout=60 \
+    -rss_limit_mb=3000 -print_final_stats=1 -artifact_prefix="$failures/$target-" "$folder" > "$log" 2>&1; then
+    status=1
+    grep -E 'FAILURE|ERROR|SUMMARY' "$log" || true
+    for input in "$failures/$target"-*; do
+      echo "$input: $(od -An -tx1 -v "$input" | tr -d " \n")"
+    done
+    continue
+  fi
+  grep -E '^stat::number_of_executed_units|curves: ' "$log" | sed "s/^/$target: /"
+  "build/clang-fuzzing/test/fuzz/fuzz_$target" -merge=1 -timeout=60 -rss_limit_mb=3000 -max_len="$longest" "$least" \
+    "$folder" > build/fuzz/merge.log 2>&1
+  pack "$least" "test/fuzz/corpus/$target.hex"
+done
+exit "$status"
