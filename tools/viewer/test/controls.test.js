@@ -7,7 +7,8 @@ import {join} from 'node:path';
 import {count, covered, difference, meshes, open, pixels, settled, state, useBrowser, vermillion, write, yellow}
   from './pages.js';
 
-const desk = {width: 1200, height: 800}, phone = {width: 390, height: 844};
+const desk = {width: 1000, height: 700}, phone = {width: 390, height: 844};
+const still = {reducedMotion: 'reduce'}; // flights take no time
 
 // A place of the canvas, with nothing in front of it, where there is a curve, a part between curves, or nothing.
 const placeOf = (tab, what) => tab.evaluate(async what => {
@@ -49,7 +50,7 @@ describe('the controls', () => {
   useBrowser();
   before(async () => {
     page = write(join(meshes, 'cactus.off'));
-    tab = await open(page, '', desk);
+    tab = await open(page, '', desk, still);
   });
 
   it('opens where more of the curves is seen than from most directions', async () => {
@@ -86,7 +87,7 @@ describe('the controls', () => {
     await tab.locator('#list button').first().hover();
     assert.equal((await state(tab)).hovered, 0);
     assert.ok(difference(before, await pixels(tab)) > 0);
-    await tab.mouse.move(1199, 799);
+    await tab.mouse.move(999, 699);
     assert.equal(difference(before, await pixels(tab)), 0);
   });
 
@@ -127,7 +128,7 @@ describe('the controls', () => {
     await settled(tab);
     assert.equal((await state(tab)).isolated, smallest);
     assert.equal(await tab.locator('#part-list button[aria-pressed=true]').count(), 1);
-    await tab.mouse.move(1199, 799);
+    await tab.mouse.move(999, 699);
     await tab.evaluate(() => { document.activeElement.blur(); });
     await tab.keyboard.press('r');
     const alone = await pixels(tab);
@@ -149,7 +150,7 @@ describe('the controls', () => {
     // a curve is where it is drawn
     await tab.mouse.move(...await placeOf(tab, 'curve'));
     await tab.locator('#hover').filter({hasText: /^Constriction/}).waitFor();
-    await tab.mouse.move(1199, 799);
+    await tab.mouse.move(999, 699);
     await value(tab, '#apart', 0);
     assert.ok(Math.abs(covered(await pixels(tab)) - before) < 0.002);
     await tab.keyboard.press('Escape');
@@ -247,7 +248,7 @@ describe('the controls', () => {
   });
 
   it('marks what has the focus in the colour of the page', async () => {
-    await tab.locator('#canvas').click({position: {x: 5, y: 400}});
+    await tab.locator('#canvas').click({position: {x: 5, y: 300}});
     await tab.keyboard.press('ArrowDown');
     const {colour, accent} = await tab.evaluate(() => {
       const style = getComputedStyle(document.getElementById('canvas')), probe = document.createElement('i');
@@ -327,7 +328,7 @@ describe('the controls', () => {
     const hash = await tab.evaluate(() => location.hash);
     for (const said of ['part=1', 'apart=0.3', 'section=y,0.1,lower', 'theme=dark', 'list=parts'])
       assert.ok(hash.includes(said), `${hash} does not say ${said}`);
-    const again = await open(page, hash, desk);
+    const again = await open(page, hash, desk, still);
     assert.ok(difference(await pixels(tab), await pixels(again)) < 0.005);
     assert.ok(await again.locator('#part-list').isVisible());
     assert.deepEqual(again.said, []);
@@ -338,7 +339,7 @@ describe('the controls', () => {
   for (const [size, viewport] of Object.entries({desk, phone}))
     for (const colorScheme of ['light', 'dark'])
       it(`can be used at the size of a ${size}, ${colorScheme}`, async () => {
-        const used = await open(page, '', viewport, {colorScheme, ...viewport === phone && {hasTouch: true, isMobile: true}});
+        const used = await open(page, '', viewport, {...still, colorScheme, ...viewport === phone && {hasTouch: true, isMobile: true}});
         assert.equal((await state(used)).theme, colorScheme);
         for (const id of ['#parts', '#edges', '#section', '#whole', '#theme', '#save summary', '#marks', '#player', '#curves-tab', '#parts-tab'])
           await inView(used, id);
