@@ -172,7 +172,8 @@ function refresh() {
     surface.set(shown, wanted >= 0 && isCoarse(shown.faces));
   }
   const shownColour = p => wanted < 0 && state.showsParts ? colourOf[p] : colours.surface;
-  const isOpen = placement.update(division, {apart: state.apart, alone: isolated()}, wanted < 0, shownColour, colours.inside);
+  const isOpen = placement.update(division, {apart: state.apart, alone: isolated()}, wanted < 0, shownColour,
+    colours.inside);
   surface.showInside(isOpen || section.isOn, colours.inside);
   stage.radius = placement.radius;
   surface.colour(wanted < 0 ? f => shownColour(division.of[finest.parts[f]]) : () => colours.surface);
@@ -293,7 +294,8 @@ function find(x, y, reach) {
 function nameOf({curve, part}) {
   if (curve >= 0) {
     const {length, prominence, side} = curves[curve];
-    return `Constriction ${curve} · ${sides[side].words} · length ${rounded(length)} · prominence ${rounded(prominence)}`;
+    return `Constriction ${curve} · ${sides[side].words} · length ${rounded(length)} · `
+      + `prominence ${rounded(prominence)}`;
   }
   return part < 0 || division.parts.length === 1 ? '' : `Part ${part} · ${sizeOf(division.parts[part])}`;
 }
@@ -368,7 +370,8 @@ function follow() {
     stage.hiddenAbove = isBare ? 0 : document.getElementById('tools').offsetHeight;
     stage.inset.isAllowed = !isBare;
     stage.resize();
-    stage.look({...home, ...asked.target && {target: onPage(asked.target)}, radius: stage.radius / (asked.zoom ?? 1)}, 0);
+    const target = asked.target && onPage(asked.target);
+    stage.look({...home, target, radius: stage.radius / (asked.zoom ?? 1)}, 0);
   }
   if (asked.frame !== undefined)
     playback.show(asked.frame);

@@ -68,7 +68,8 @@ describe('the controls', () => {
   });
 
   it('names what the pointer is on', async () => {
-    const hover = tab.locator('#hover'), cursor = () => tab.evaluate(() => getComputedStyle(document.getElementById('canvas')).cursor);
+    const hover = tab.locator('#hover');
+    const cursor = () => tab.evaluate(() => getComputedStyle(document.getElementById('canvas')).cursor);
     const place = await placeOf(tab, 'curve');
     await tab.mouse.move(...place);
     await hover.filter({hasText: /^Constriction \d+ · neck · length [\d.]+ · prominence [\d.]+$/}).waitFor();
@@ -104,7 +105,8 @@ describe('the controls', () => {
   });
 
   it('says in words in what curves differ, and what all have in common', async () => {
-    assert.match(await tab.locator('#count').textContent(), /^3 of \d+ constrictions shown\. All are necks, proved strict\.$/);
+    assert.match(await tab.locator('#count').textContent(),
+      /^3 of \d+ constrictions shown\. All are necks, proved strict\.$/);
     const rows = await tab.locator('#list li:visible .more').allTextContents();
     assert.equal(new Set(rows).size, rows.length, `${rows}`);
     assert.ok(!/complement|object/.test(rows.join()), `${rows}`);
@@ -118,9 +120,9 @@ describe('the controls', () => {
     assert.equal(rows.length, parts);
     assert.ok(parts > 2);
     assert.match(rows[0], /^Part 0\d+.*%area [\d.e-]+ · volume [\d.e-]+$/);
-    const sums = rows.map(r => r.match(/area ([\d.e-]+) · volume ([\d.e-]+)$/)).reduce(([a, v], m) => [a + Number(m[1]), v + Number(m[2])], [0, 0]);
+    const sum = rows.reduce((s, row) => s + Number(row.match(/area ([\d.e-]+) · volume [\d.e-]+$/)[1]), 0);
     const area = await tab.evaluate(() => window.viewer.data.mesh.area);
-    assert.ok(Math.abs(sums[0] - area) < 0.01 * area, `${sums} of ${area}`);
+    assert.ok(Math.abs(sum - area) < 0.01 * area, `${sum} of ${area}`);
 
     const before = await pixels(tab);
     const smallest = rows.length - 1;
@@ -285,7 +287,8 @@ describe('the controls', () => {
       const canvas = Object.assign(document.createElement('canvas'), {width: image.width, height: image.height});
       const context = canvas.getContext('2d');
       context.drawImage(image, 0, 0);
-      const {data} = context.getImageData(0, 0, image.width, image.height), {data: corner} = context.getImageData(0, image.height - 76, 210, 76);
+      const {data} = context.getImageData(0, 0, image.width, image.height);
+      const {data: corner} = context.getImageData(0, image.height - 76, 210, 76);
       let opaque = 0, curve = 0, ink = 0;
       for (let i = 0; i < data.length; i += 4) {
         opaque += data[i + 3] === 255;
@@ -320,7 +323,8 @@ describe('the controls', () => {
   });
 
   it('saves a link that shows the same again', async () => {
-    await tab.evaluate(() => location.hash = 'list=parts&part=1&apart=0.3&section=y,0.1,lower&theme=dark&zoom=1.4&view=1,0.3,0.2');
+    await tab.evaluate(() => location.hash =
+      'list=parts&part=1&apart=0.3&section=y,0.1,lower&theme=dark&zoom=1.4&view=1,0.3,0.2');
     await settled(tab);
     await tab.click('#save summary');
     await tab.click('#save-link');
@@ -339,9 +343,11 @@ describe('the controls', () => {
   for (const [size, viewport] of Object.entries({desk, phone}))
     for (const colorScheme of ['light', 'dark'])
       it(`can be used at the size of a ${size}, ${colorScheme}`, async () => {
-        const used = await open(page, '', viewport, {...still, colorScheme, ...viewport === phone && {hasTouch: true, isMobile: true}});
+        const touch = viewport === phone && {hasTouch: true, isMobile: true};
+        const used = await open(page, '', viewport, {...still, colorScheme, ...touch});
         assert.equal((await state(used)).theme, colorScheme);
-        for (const id of ['#parts', '#edges', '#section', '#whole', '#theme', '#save summary', '#marks', '#player', '#curves-tab', '#parts-tab'])
+        for (const id of ['#parts', '#edges', '#section', '#whole', '#theme', '#save summary', '#marks', '#player',
+          '#curves-tab', '#parts-tab'])
           await inView(used, id);
         const first = await pixels(used);
 
@@ -391,7 +397,8 @@ describe('the controls', () => {
           };
           const nameless = [], faint = [];
           for (const e of document.querySelectorAll('button, input, summary, canvas, output')) {
-            const name = e.textContent.trim() || e.getAttribute('aria-label') || [...(e.labels ?? [])].map(l => l.textContent).join('').trim();
+            const labels = [...(e.labels ?? [])].map(l => l.textContent).join('').trim();
+            const name = e.textContent.trim() || e.getAttribute('aria-label') || labels;
             if (!name)
               nameless.push(e.id);
             if (e.checkVisibility() && e.textContent.trim()) {
