@@ -266,8 +266,8 @@ TEST_F(View, holds_what_detect_finds)
     ASSERT_EQ(curves.size(), expected.at("constrictions").size());
     EXPECT_FALSE(curves.empty());
     for(std::size_t c = 0; c < curves.size(); ++c)
-      for(const char* key : {"length", "diameter", "centroid", "prominence", "dominated_by", "side", "certificate",
-                              "separating"})
+      for(const char* key :
+          {"length", "diameter", "centroid", "prominence", "dominated_by", "side", "certificate", "separating"})
         EXPECT_EQ(curves[c].at(key), expected.at("constrictions")[c].at(key)) << key << " of " << c;
     EXPECT_EQ(page.data.at("prominence"), 0.05);
   }

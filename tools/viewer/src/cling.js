@@ -4,6 +4,9 @@
 
 const slots = 1 << 17;
 
+// Sheets of a rough surface that are not further from each other: the uppermost counts.
+const fold = 0.005;
+
 export class Cling {
   // Faces are found by the cells of a grid, as wide as `reach`, in a hash table: those of slot s are
   // entries[begin[s]], ..., entries[begin[s + 1] - 1].
@@ -38,12 +41,12 @@ export class Cling {
           visit((Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791)) & (slots - 1));
   }
 
-  // How far from (x, y, z) along the unit vector (nx, ny, nz) the surface is that looks there, where it is nearest; 0 if
-  // it is not within reach.
+  // How far from (x, y, z) along the unit vector (nx, ny, nz) the surface is that looks there, where it is nearest, or
+  // above that where it is folded; 0 if it is not within reach.
   distance(x, y, z, nx, ny, nz) {
     const {points: p, faces, reach, begin, entries} = this;
     const rx = reach * Math.abs(nx), ry = reach * Math.abs(ny), rz = reach * Math.abs(nz);
-    let best = Infinity;
+    const found = [];
     this.forCells(x - rx, y - ry, z - rz, x + rx, y + ry, z + rz, slot => {
       for (let e = begin[slot]; e < begin[slot + 1]; ++e) {
         const f = entries[e], a = 3 * faces[f], b = 3 * faces[f + 1], c = 3 * faces[f + 2];
@@ -60,10 +63,16 @@ export class Cling {
         const qx = ty * uz - tz * uy, qy = tz * ux - tx * uz, qz = tx * uy - ty * ux;
         const t = (nx * qx + ny * qy + nz * qz) / determinant;
         const d = (vx * qx + vy * qy + vz * qz) / determinant;
-        if (t >= 0 && s + t <= 1 && Math.abs(d) < Math.abs(best))
-          best = d;
+        if (t >= 0 && s + t <= 1 && Math.abs(d) <= reach)
+          found.push(d);
       }
     });
-    return Math.abs(best) <= reach ? best : 0;
+    if (found.length === 0)
+      return 0;
+    found.sort((d, e) => d - e);
+    let i = found.reduce((best, d, j) => Math.abs(d) < Math.abs(found[best]) ? j : best, 0);
+    while (i + 1 < found.length && found[i + 1] - found[i] < fold)
+      ++i;
+    return found[i];
   }
 }

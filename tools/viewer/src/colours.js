@@ -12,11 +12,11 @@ export const css = light => `#${light.clone().convertLinearToGamma(gamma).getHex
 
 export const sides = {
   object: {colour: '#d55e00', name: 'necks', words: 'neck',
-    text: 'object: the body is narrow there, and a rubber band around it stays'},
+    text: 'necks, in files “object”: the body is narrow there'},
   complement: {colour: '#0072b2', name: 'openings', words: 'opening',
-    text: 'complement: the space outside is narrow there, as in a hole, and the band lies around that'},
+    text: 'openings, in files “complement”: the space outside is narrow there, as in a hole'},
   mixed: {colour: '#009e73', name: 'mixed', words: 'neck and opening',
-    text: 'mixed: along a part of the band the body is narrow, along another the space outside'},
+    text: 'mixed: partly the one, partly the other'},
 };
 export const selection = '#f0e442';
 export const seed = '#f0e442';

@@ -17,8 +17,8 @@ export function showLegend(into, theme) {
     dd.textContent = text;
     into.append(dt, dd);
   };
-  for (const {colour, name, text} of Object.values(sides))
-    entry([chip(colour, '')], `${name} – ${text}`);
+  for (const {colour, text} of Object.values(sides))
+    entry([chip(colour, '')], text);
   entry([chip(selection, 'full')], 'around a curve: selected; its pivots are dots');
   entry([chip(seed, 'full')], 'around a curve or across it, in the playback: a seed that has just appeared');
   entry(scheme(theme).parts.slice(0, 3).map(c => chip(css(c), 'full')),

@@ -6,6 +6,7 @@ import {Lids} from './lids.js';
 import {List, SideFilter, counted, rounded} from './list.js';
 import {Marks} from './marks.js';
 import {PartList, sizeOf} from './part_list.js';
+import {Placement} from './placement.js';
 import {Playback} from './playback.js';
 import {Pointer} from './pointer.js';
 import {SaveMenu, curvesAsCsv, partsAsCsv, pictureOf} from './save.js';
@@ -15,12 +16,11 @@ import {Surface} from './surface.js';
 import {Tabs} from './tabs.js';
 import {Theme} from './theme.js';
 import {Threshold} from './threshold.js';
-import {areaVector, viewOfCurve} from './view_of_curve.js';
+import {viewOfCurve} from './view_of_curve.js';
 import {colourParts, divide, numbersOfParts, placesOfParts} from './parts.js';
 import {css, scheme, sides} from './colours.js';
 import {firstView, usualView} from './first_view.js';
 import {listenToKeys} from './keys.js';
-import {movesApart} from './explode.js';
 import {readAddress, writeAddress} from './address.js';
 import {readData} from './data.js';
 import {showLegend} from './legend.js';
@@ -56,6 +56,7 @@ const section = new Section(data, finest.points, refresh);
 const surface = new Surface(data.mesh.holes > 0);
 const drawn = new Curves(data, data.is_simplified ? 0.003 : 0.0015, data.is_simplified ? finest : null);
 const lids = new Lids();
+const placement = new Placement(data, finest, extent, {surface, drawn, lids});
 const marks = new Marks(document.getElementById('marks'), data.radius);
 let division = null;
 let stage = null;
@@ -66,6 +67,7 @@ try {
   const failure = document.getElementById('failure');
   failure.textContent = `The surface cannot be drawn: ${error.message}`;
   failure.hidden = false;
+  document.getElementById('save-picture').disabled = true;
 }
 
 if (data.is_simplified)
@@ -131,13 +133,11 @@ function isolate(p) {
   if (wasIsolated)
     actions.whole();
   else {
-    const {middle, radius} = division.parts[p], move = drawn.moves ? moves.parts[p] : new Vector3();
-    stage.look({target: middle.clone().add(move), direction: stage.direction, up: stage.camera.up,
+    const {middle, radius} = division.parts[p];
+    stage.look({target: middle.clone().add(placement.moveOfPart(p)), direction: stage.direction, up: stage.camera.up,
       radius: Math.max(radius, 0.02)}, 600);
   }
 }
-
-let moves = null; // of parts and curves, if these are drawn apart
 
 function drawApart(x) {
   const showedWhole = stage && Math.abs(Math.log(stage.zoomFactor)) < 0.05;
@@ -145,40 +145,6 @@ function drawApart(x) {
   refresh();
   if (showedWhole && state.part < 0)
     stage.look({direction: stage.direction, up: stage.camera.up, radius: stage.radius}, 0);
-}
-
-const frames = new Map();
-function frameOf(c) {
-  if (!frames.has(c))
-    frames.set(c, {
-      centre: new Vector3().fromArray(curves[c].centroid.map((x, i) => (x - data.centre[i]) / data.radius)),
-      normal: areaVector(drawn.points(c)).normalize(),
-    });
-  return frames.get(c);
-}
-
-// Puts the faces and curves where they are drawn; cuts that are seen get lids.
-function place(isResult, colourOf, brightness) {
-  const alone = isolated();
-  moves = state.apart > 0 ? movesApart(division, frameOf, 0.3 * extent * state.apart) : null;
-  const none = new Vector3();
-  const moveOfPart = moves ? moves.parts : division.parts.map(() => none);
-  const moveOf = f => {
-    const p = division.of[finest.parts[f]];
-    return alone >= 0 && p !== alone ? null : moveOfPart[p];
-  };
-  if (isResult)
-    surface.place(moves || alone >= 0 ? moveOf : null);
-  drawn.moves = moves ? moves.curves : null;
-  const isOpen = isResult && (moves !== null || alone >= 0);
-  // a curve around an opening has the body on its outside
-  lids.set(!isOpen ? [] : division.between.flatMap((pairs, c) => [...new Set(pairs.flat())]
-    .filter(p => curves[c].side !== 'complement' && (alone < 0 || p === alone))
-    .map(p => ({points: drawn.points(c), move: moveOfPart[p], colour: colourOf(p)}))), brightness);
-  surface.showInside(isOpen || section.isOn, brightness);
-  if (stage)
-    stage.radius = division.parts.reduce((r, {middle, radius}, p) =>
-      Math.max(r, moves ? middle.distanceTo(none) + moveOfPart[p].length() + radius : 0), extent);
 }
 
 let surfaceShown = null; // what surface.set() was last called for
@@ -206,7 +172,10 @@ function refresh() {
     surface.set(shown, wanted >= 0 && isCoarse(shown.faces));
   }
   const shownColour = p => wanted < 0 && state.showsParts ? colourOf[p] : colours.surface;
-  place(wanted < 0, shownColour, colours.inside);
+  const isOpen = placement.update(division, {apart: state.apart, alone: isolated()}, wanted < 0, shownColour,
+    colours.inside);
+  surface.showInside(isOpen || section.isOn, colours.inside);
+  stage.radius = placement.radius;
   surface.colour(wanted < 0 ? f => shownColour(division.of[finest.parts[f]]) : () => colours.surface);
   surface.showEdges(edgesAreShown(), colours.edges);
   stage.renderer.clippingPlanes = section.planes;
@@ -325,7 +294,8 @@ function find(x, y, reach) {
 function nameOf({curve, part}) {
   if (curve >= 0) {
     const {length, prominence, side} = curves[curve];
-    return `Constriction ${curve} · ${sides[side].words} · length ${rounded(length)} · prominence ${rounded(prominence)}`;
+    return `Constriction ${curve} · ${sides[side].words} · length ${rounded(length)} · `
+      + `prominence ${rounded(prominence)}`;
   }
   return part < 0 || division.parts.length === 1 ? '' : `Part ${part} · ${sizeOf(division.parts[part])}`;
 }
@@ -400,7 +370,8 @@ function follow() {
     stage.hiddenAbove = isBare ? 0 : document.getElementById('tools').offsetHeight;
     stage.inset.isAllowed = !isBare;
     stage.resize();
-    stage.look({...home, ...asked.target && {target: onPage(asked.target)}, radius: stage.radius / (asked.zoom ?? 1)}, 0);
+    const target = asked.target && onPage(asked.target);
+    stage.look({...home, target, radius: stage.radius / (asked.zoom ?? 1)}, 0);
   }
   if (asked.frame !== undefined)
     playback.show(asked.frame);

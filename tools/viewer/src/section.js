@@ -68,7 +68,8 @@ export class Section {
     this.buttons.forEach((button, axis) => button.setAttribute('aria-pressed', String(axis === this.axis)));
     this.input.value = Math.round(steps * this.at);
     const value = this.centre[this.axis] + this.radius * this.place;
-    this.output.textContent = `${names[this.axis]} = ${rounded(value)}`;
+    const isZero = Math.abs(value) < 1e-9 * this.radius; // but for rounding
+    this.output.textContent = `${names[this.axis]} = ${isZero ? 0 : rounded(value)}`;
     this.input.setAttribute('aria-valuetext', this.output.textContent);
   }
 }

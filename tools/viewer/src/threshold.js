@@ -23,7 +23,8 @@ export class Threshold {
 
   set(value) {
     this.value = value === Infinity ? this.greatest : value;
-    const i = this.value <= this.least ? 0 : Math.log(this.value / this.least) / Math.log(this.greatest / this.least) * steps;
+    const i = this.value <= this.least ? 0
+      : Math.log(this.value / this.least) / Math.log(this.greatest / this.least) * steps;
     this.input.value = Math.round(i);
     this.show();
   }

@@ -24,11 +24,15 @@ it('sees neither what looks the other way nor what is out of reach', () => {
   assert.equal(cling.distance(1.01, 0.6, 0.25, 0, 0, 1), 0);
 });
 
-it('takes the nearest of several sheets', () => {
-  const low = square(0.25, true), high = square(0.26, true);
-  const both = {points: Float32Array.from([...low.points, ...high.points]),
+const two = (lower, upper) => {
+  const low = square(lower, true), high = square(upper, true);
+  return {points: Float32Array.from([...low.points, ...high.points]),
     faces: Uint32Array.from([...low.faces, ...high.faces.map(v => v + 4)])};
-  const cling = new Cling(both, 0.05);
+};
+
+it('takes the nearest of several sheets, but the uppermost of a fold', () => {
+  const cling = new Cling(two(0.25, 0.26), 0.05);
   near(cling.distance(0.3, 0.6, 0.252, 0, 0, 1), -0.002);
   near(cling.distance(0.3, 0.6, 0.258, 0, 0, 1), 0.002);
+  near(new Cling(two(0.25, 0.254), 0.05).distance(0.3, 0.6, 0.251, 0, 0, 1), 0.003);
 });

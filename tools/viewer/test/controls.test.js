@@ -7,7 +7,8 @@ import {join} from 'node:path';
 import {count, covered, difference, meshes, open, pixels, settled, state, useBrowser, vermillion, write, yellow}
   from './pages.js';
 
-const desk = {width: 1200, height: 800}, phone = {width: 390, height: 844};
+const desk = {width: 1000, height: 700}, phone = {width: 390, height: 844};
+const still = {reducedMotion: 'reduce'}; // flights take no time
 
 // A place of the canvas, with nothing in front of it, where there is a curve, a part between curves, or nothing.
 const placeOf = (tab, what) => tab.evaluate(async what => {
@@ -49,7 +50,7 @@ describe('the controls', () => {
   useBrowser();
   before(async () => {
     page = write(join(meshes, 'cactus.off'));
-    tab = await open(page, '', desk);
+    tab = await open(page, '', desk, still);
   });
 
   it('opens where more of the curves is seen than from most directions', async () => {
@@ -67,7 +68,8 @@ describe('the controls', () => {
   });
 
   it('names what the pointer is on', async () => {
-    const hover = tab.locator('#hover'), cursor = () => tab.evaluate(() => getComputedStyle(document.getElementById('canvas')).cursor);
+    const hover = tab.locator('#hover');
+    const cursor = () => tab.evaluate(() => getComputedStyle(document.getElementById('canvas')).cursor);
     const place = await placeOf(tab, 'curve');
     await tab.mouse.move(...place);
     await hover.filter({hasText: /^Constriction \d+ · neck · length [\d.]+ · prominence [\d.]+$/}).waitFor();
@@ -86,7 +88,7 @@ describe('the controls', () => {
     await tab.locator('#list button').first().hover();
     assert.equal((await state(tab)).hovered, 0);
     assert.ok(difference(before, await pixels(tab)) > 0);
-    await tab.mouse.move(1199, 799);
+    await tab.mouse.move(999, 699);
     assert.equal(difference(before, await pixels(tab)), 0);
   });
 
@@ -103,7 +105,8 @@ describe('the controls', () => {
   });
 
   it('says in words in what curves differ, and what all have in common', async () => {
-    assert.match(await tab.locator('#count').textContent(), /^3 of \d+ constrictions shown\. All are necks, proved strict\.$/);
+    assert.match(await tab.locator('#count').textContent(),
+      /^3 of \d+ constrictions shown\. All are necks, proved strict\.$/);
     const rows = await tab.locator('#list li:visible .more').allTextContents();
     assert.equal(new Set(rows).size, rows.length, `${rows}`);
     assert.ok(!/complement|object/.test(rows.join()), `${rows}`);
@@ -117,9 +120,9 @@ describe('the controls', () => {
     assert.equal(rows.length, parts);
     assert.ok(parts > 2);
     assert.match(rows[0], /^Part 0\d+.*%area [\d.e-]+ · volume [\d.e-]+$/);
-    const sums = rows.map(r => r.match(/area ([\d.e-]+) · volume ([\d.e-]+)$/)).reduce(([a, v], m) => [a + Number(m[1]), v + Number(m[2])], [0, 0]);
+    const sum = rows.reduce((s, row) => s + Number(row.match(/area ([\d.e-]+) · volume [\d.e-]+$/)[1]), 0);
     const area = await tab.evaluate(() => window.viewer.data.mesh.area);
-    assert.ok(Math.abs(sums[0] - area) < 0.01 * area, `${sums} of ${area}`);
+    assert.ok(Math.abs(sum - area) < 0.01 * area, `${sum} of ${area}`);
 
     const before = await pixels(tab);
     const smallest = rows.length - 1;
@@ -127,7 +130,7 @@ describe('the controls', () => {
     await settled(tab);
     assert.equal((await state(tab)).isolated, smallest);
     assert.equal(await tab.locator('#part-list button[aria-pressed=true]').count(), 1);
-    await tab.mouse.move(1199, 799);
+    await tab.mouse.move(999, 699);
     await tab.evaluate(() => { document.activeElement.blur(); });
     await tab.keyboard.press('r');
     const alone = await pixels(tab);
@@ -149,7 +152,7 @@ describe('the controls', () => {
     // a curve is where it is drawn
     await tab.mouse.move(...await placeOf(tab, 'curve'));
     await tab.locator('#hover').filter({hasText: /^Constriction/}).waitFor();
-    await tab.mouse.move(1199, 799);
+    await tab.mouse.move(999, 699);
     await value(tab, '#apart', 0);
     assert.ok(Math.abs(covered(await pixels(tab)) - before) < 0.002);
     await tab.keyboard.press('Escape');
@@ -247,7 +250,7 @@ describe('the controls', () => {
   });
 
   it('marks what has the focus in the colour of the page', async () => {
-    await tab.locator('#canvas').click({position: {x: 5, y: 400}});
+    await tab.locator('#canvas').click({position: {x: 5, y: 300}});
     await tab.keyboard.press('ArrowDown');
     const {colour, accent} = await tab.evaluate(() => {
       const style = getComputedStyle(document.getElementById('canvas')), probe = document.createElement('i');
@@ -284,7 +287,8 @@ describe('the controls', () => {
       const canvas = Object.assign(document.createElement('canvas'), {width: image.width, height: image.height});
       const context = canvas.getContext('2d');
       context.drawImage(image, 0, 0);
-      const {data} = context.getImageData(0, 0, image.width, image.height), {data: corner} = context.getImageData(0, image.height - 76, 210, 76);
+      const {data} = context.getImageData(0, 0, image.width, image.height);
+      const {data: corner} = context.getImageData(0, image.height - 76, 210, 76);
       let opaque = 0, curve = 0, ink = 0;
       for (let i = 0; i < data.length; i += 4) {
         opaque += data[i + 3] === 255;
@@ -319,7 +323,8 @@ describe('the controls', () => {
   });
 
   it('saves a link that shows the same again', async () => {
-    await tab.evaluate(() => location.hash = 'list=parts&part=1&apart=0.3&section=y,0.1,lower&theme=dark&zoom=1.4&view=1,0.3,0.2');
+    await tab.evaluate(() => location.hash =
+      'list=parts&part=1&apart=0.3&section=y,0.1,lower&theme=dark&zoom=1.4&view=1,0.3,0.2');
     await settled(tab);
     await tab.click('#save summary');
     await tab.click('#save-link');
@@ -327,7 +332,7 @@ describe('the controls', () => {
     const hash = await tab.evaluate(() => location.hash);
     for (const said of ['part=1', 'apart=0.3', 'section=y,0.1,lower', 'theme=dark', 'list=parts'])
       assert.ok(hash.includes(said), `${hash} does not say ${said}`);
-    const again = await open(page, hash, desk);
+    const again = await open(page, hash, desk, still);
     assert.ok(difference(await pixels(tab), await pixels(again)) < 0.005);
     assert.ok(await again.locator('#part-list').isVisible());
     assert.deepEqual(again.said, []);
@@ -338,9 +343,11 @@ describe('the controls', () => {
   for (const [size, viewport] of Object.entries({desk, phone}))
     for (const colorScheme of ['light', 'dark'])
       it(`can be used at the size of a ${size}, ${colorScheme}`, async () => {
-        const used = await open(page, '', viewport, {colorScheme, ...viewport === phone && {hasTouch: true, isMobile: true}});
+        const touch = viewport === phone && {hasTouch: true, isMobile: true};
+        const used = await open(page, '', viewport, {...still, colorScheme, ...touch});
         assert.equal((await state(used)).theme, colorScheme);
-        for (const id of ['#parts', '#edges', '#section', '#whole', '#theme', '#save summary', '#marks', '#player', '#curves-tab', '#parts-tab'])
+        for (const id of ['#parts', '#edges', '#section', '#whole', '#theme', '#save summary', '#marks', '#player',
+          '#curves-tab', '#parts-tab'])
           await inView(used, id);
         const first = await pixels(used);
 
@@ -390,7 +397,8 @@ describe('the controls', () => {
           };
           const nameless = [], faint = [];
           for (const e of document.querySelectorAll('button, input, summary, canvas, output')) {
-            const name = e.textContent.trim() || e.getAttribute('aria-label') || [...(e.labels ?? [])].map(l => l.textContent).join('').trim();
+            const labels = [...(e.labels ?? [])].map(l => l.textContent).join('').trim();
+            const name = e.textContent.trim() || e.getAttribute('aria-label') || labels;
             if (!name)
               nameless.push(e.id);
             if (e.checkVisibility() && e.textContent.trim()) {
