@@ -76,8 +76,8 @@ cut_handles_within(TriangleMesh& tm, VertexPointMap vpm, const std::vector<Const
 ///
 /// Cutting a handle that chokes the object takes a slice out of it; cutting around the hole of a handle, where the
 /// complement is choked, fills this tunnel by a slice. The slice lies between two curves beside the given one, on its
-/// two sides, at a distance of a hundredth of its length, or of a third of the edges that leave it where these are
-/// short. The part of the surface between them is removed, and each of them is closed by a cap. The two caps have the
+/// two sides, at a distance of a hundredth of its length, or less, so that the next vertex on that side is at least
+/// three times as far. The part of the surface between them is removed, and each of them is closed by a cap. The two caps have the
 /// same triangles, but for the surplus corners of one, so that they do not intersect each other although they are
 /// close. They are triangulated as by `extract_parts()`, or are cones if there is no such triangulation.
 ///
