@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -28,9 +29,9 @@ struct Handle_parameters : Point_parameters::With<internal_np::maximum_number_of
                                                   internal_np::maximum_curve_length_t, internal_np::choked_side_t>
 {};
 
-template <class TriangleMesh>
+template <class TriangleMesh, class NamedParameters>
 using Removed_handle_of = Removed_handle<
-    typename boost::property_traits<typename boost::property_map<TriangleMesh, vertex_point_t>::type>::value_type>;
+    typename boost::property_traits<typename GetVertexPointMap<TriangleMesh, NamedParameters>::type>::value_type>;
 
 template <class NamedParameters>
 Handle_limits handle_limits(const NamedParameters& np)
@@ -76,8 +77,8 @@ cut_handles_within(TriangleMesh& tm, VertexPointMap vpm, const std::vector<Const
 ///
 /// Cutting a handle that chokes the object takes a slice out of it; cutting around the hole of a handle, where the
 /// complement is choked, fills this tunnel by a slice. The slice lies between two curves beside the given one, on its
-/// two sides, at a distance of a hundredth of its length, or of a third of the edges that leave it where these are
-/// short. The part of the surface between them is removed, and each of them is closed by a cap. The two caps have the
+/// two sides, at a distance of a hundredth of its length, or less, so that the next vertex on that side is at least
+/// three times as far. The part of the surface between them is removed, and each of them is closed by a cap. The two caps have the
 /// same triangles, but for the surplus corners of one, so that they do not intersect each other although they are
 /// close. They are triangulated as by `extract_parts()`, or are cones if there is no such triangulation.
 ///
@@ -141,7 +142,7 @@ OutputIterator cut_handles(TriangleMesh& tm, const ConstrictionRange& curves, Ou
   constexpr bool knows_all = internal::check_parameters<internal::Handle_parameters, NamedParameters>();
   if constexpr(internal::check_mutable_mesh<TriangleMesh>() && knows_all)
   {
-    if constexpr(internal::check_output<OutputIterator, internal::Removed_handle_of<TriangleMesh>>())
+    if constexpr(internal::check_output<OutputIterator, internal::Removed_handle_of<TriangleMesh, NamedParameters>>())
     {
       using CGAL::parameters::choose_parameter;
       using CGAL::parameters::get_parameter;

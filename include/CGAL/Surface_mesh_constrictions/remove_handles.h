@@ -121,7 +121,7 @@ OutputIterator remove_handles(TriangleMesh& tm, OutputIterator out,
   constexpr bool knows_all = internal::check_parameters<internal::Handle_removal_parameters, NamedParameters>();
   if constexpr(internal::check_mutable_mesh<TriangleMesh>() && knows_all)
   {
-    if constexpr(internal::check_output<OutputIterator, internal::Removed_handle_of<TriangleMesh>>())
+    if constexpr(internal::check_output<OutputIterator, internal::Removed_handle_of<TriangleMesh, NamedParameters>>())
       return internal::remove_handles_checked<ConcurrencyTag>(tm, out, np);
   }
   return out;

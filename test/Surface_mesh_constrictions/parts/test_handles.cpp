@@ -74,10 +74,13 @@ std::vector<Handle> removed(Mesh& mesh, const Limits& limits)
   return result;
 }
 
-std::vector<Curve> all_constrictions(const Mesh& mesh)
+// With those of little prominence, and those that cross others.
+std::vector<Curve> many_constrictions(const Mesh& mesh)
 {
   std::vector<Curve> result;
-  SMC::detect_constrictions(mesh, std::back_inserter(result), SMC::parameters::all_constrictions(true).certify(false));
+  SMC::detect_constrictions(mesh, std::back_inserter(result),
+                            SMC::parameters::certify(false, SMC::parameters::crossing_constrictions(
+                                                                true, SMC::parameters::minimum_prominence(0.01))));
   return result;
 }
 
@@ -105,10 +108,8 @@ void expect_removed(const Graph& before, const Graph& after, const Handles& hand
   }
   const double volume = CGAL::to_double(PMP::volume(before));
   EXPECT_NEAR(CGAL::to_double(PMP::volume(after)), volume + change, 1e-9 * std::abs(volume));
-  if(!PMP::does_self_intersect(before))
-    EXPECT_EQ(PMP::does_self_intersect(after), any_intersects);
-  if(!any_intersects && PMP::does_bound_a_volume(before))
-    EXPECT_TRUE(PMP::does_bound_a_volume(after));
+  EXPECT_TRUE(PMP::does_self_intersect(before) || PMP::does_self_intersect(after) == any_intersects);
+  EXPECT_TRUE(any_intersects || !PMP::does_bound_a_volume(before) || PMP::does_bound_a_volume(after));
 }
 
 TEST(Handles, a_torus_is_cut_at_its_thinnest_place)
@@ -134,7 +135,7 @@ TEST(Handles, a_tunnel_is_filled)
   const Mesh torus = make_mesh(test_meshes::torus(0.1, 3));
   Mesh mesh = torus;
   std::vector<Handle> handles;
-  SMC::cut_handles(mesh, all_constrictions(mesh), std::back_inserter(handles),
+  SMC::cut_handles(mesh, many_constrictions(mesh), std::back_inserter(handles),
                    SMC::parameters::choked_side(SMC::Side::COMPLEMENT));
   ASSERT_EQ(handles.size(), 1u);
   expect_removed(torus, mesh, handles);
@@ -147,7 +148,7 @@ TEST(Handles, a_tunnel_is_filled)
 TEST(Handles, side_length_and_number_limit_what_is_cut)
 {
   const Mesh plate = make_mesh(test_meshes::two_holes()); // bars of 1 x 1, which are shorter than the holes of 2 x 3
-  const std::vector<Curve> curves = all_constrictions(plate);
+  const std::vector<Curve> curves = many_constrictions(plate);
   const auto number = [&](const auto& np) {
     Mesh mesh = plate;
     std::vector<Handle> handles;

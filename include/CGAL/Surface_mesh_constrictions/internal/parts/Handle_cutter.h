@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Removed_handle.h>
+#include <CGAL/Surface_mesh_constrictions/Split_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Curve_beside.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/Twin_caps.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/intersecting_caps.h>
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -62,14 +64,19 @@ public:
       c.points(m_tm, m_vpm, std::back_inserter(result.back().points));
     }
     const auto np = CGAL::parameters::vertex_point_map(m_vpm);
-    const std::vector<Cycle> cycles = split_along_constrictions_checked(m_tm, curves, np).halfedges;
+    Ancestry ancestry;
+    const std::vector<Cycle> cycles =
+        split_along_constrictions_checked(m_tm, curves, np.visitor(Ancestry_visitor(ancestry))).halfedges;
+    const auto is_inner = [&](halfedge_descriptor h) {
+      return ancestry.origin(face(h, m_tm)) == ancestry.origin(face(opposite(h, m_tm), m_tm));
+    };
 
     std::vector<Constriction<TriangleMesh>> beside;
     std::vector<std::vector<std::size_t>> origins;
     for(std::size_t i = 0; i < cycles.size(); ++i)
       for(const Cycle& cycle : {cycles[i], turned(cycles[i])})
       {
-        Curve_beside<TriangleMesh> c(m_tm, m_vpm, cycle, distance_beside_cut * result[i].length);
+        Curve_beside<TriangleMesh> c(m_tm, m_vpm, cycle, distance_beside_cut * result[i].length, is_inner);
         typename Constriction<TriangleMesh>::Data data;
         data.locations.swap(c.locations);
         beside.emplace_back(std::move(data));
@@ -112,6 +119,32 @@ public:
 private:
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Near_point;
 
+  // The faces from which pieces have been split off.
+  struct Ancestry
+  {
+    face_descriptor split;
+    std::unordered_map<face_descriptor, face_descriptor> origin_of_piece;
+
+    face_descriptor origin(face_descriptor f) const
+    {
+      const auto found = origin_of_piece.find(f);
+      return found == origin_of_piece.end() ? f : found->second;
+    }
+  };
+
+  struct Ancestry_visitor : public Split_visitor_base<TriangleMesh>
+  {
+    explicit Ancestry_visitor(Ancestry& ancestry) : ancestry(&ancestry) {}
+
+    void before_subface_creations(face_descriptor f, const TriangleMesh&) const { ancestry->split = f; }
+    void after_subface_created(face_descriptor f, const TriangleMesh&) const
+    {
+      ancestry->origin_of_piece[f] = ancestry->split;
+    }
+
+    Ancestry* ancestry;
+  };
+
   Near_point point(halfedge_descriptor h) const { return nearest_point(get(m_vpm, target(h, m_tm))); }
 
   // The same cycle in the other direction.
@@ -126,7 +159,8 @@ private:
   // The halfedges of the band along a rim, in the order in which they follow each other around the hole to be.
   Cycle hole_along(const Cycle& rim) const { return turned(rim); }
 
-  // For each halfedge of a hole, the place in the cut of the vertex from which the edge came that its target lies on.
+  // For each halfedge of a hole, the place in the cut of the vertex from which the edge came that its target lies on, if
+  // it has one.
   static std::vector<std::size_t> origins_of_hole(const std::vector<std::size_t>& origins, std::size_t side,
                                                   std::size_t size)
   {
@@ -135,7 +169,7 @@ private:
     {
       // the first halfedge leads to where the last one of the rim begins
       const std::size_t o = origins[(2 * origins.size() - 2 - k) % origins.size()];
-      result.push_back(side == 0 ? o : (2 * size - 2 - o) % size);
+      result.push_back(side == 0 || o >= size ? o : (2 * size - 2 - o) % size);
     }
     return result;
   }

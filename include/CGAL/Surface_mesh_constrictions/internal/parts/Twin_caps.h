@@ -69,7 +69,8 @@ private:
   {
     std::vector<std::vector<std::size_t>> places(n);
     for(std::size_t i = 0; i < polygon.origins.size(); ++i)
-      places[polygon.origins[i]].push_back(i);
+      if(polygon.origins[i] < n)
+        places[polygon.origins[i]].push_back(i);
     std::vector<std::size_t> result(n, none);
     std::size_t last = none;
     for(std::size_t i = 0; i < 2 * n; ++i) // a corner to which none belongs shares that of the one before it
