@@ -62,6 +62,8 @@ if(TARGET constrictions_python)
   set(CPACK_DEBIAN_CONSTRICTIONS_PYTHON_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_CONSTRICTIONS_PYTHON_PACKAGE_DEPENDS
     "python3 (>= ${this_python}~), python3 (<< 3.${next_python}), python3-numpy")
+  set(CPACK_DEBIAN_CONSTRICTIONS_PYTHON_PACKAGE_CONTROL_EXTRA
+    "${CMAKE_CURRENT_LIST_DIR}/debian/python/postinst;${CMAKE_CURRENT_LIST_DIR}/debian/python/prerm")
   set(CPACK_DEBIAN_CONSTRICTIONS_PYTHON_DESCRIPTION "closed curves of locally minimal length on triangle meshes (Python)
 ${about}
 This package has the module constrictions, which takes and returns arrays of
