@@ -26,27 +26,32 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/debian/arrange_package.cmake")
 
-set(about "A constriction of a surface is a simple closed curve on it whose length is locally minimal: a rubber band that
-stays where it was put. Constrictions are closed geodesics. They mark necks, throats, limb joints and handles, and each
-is proved with exact arithmetic.")
+# The first line of a description is the title; the others have 80 characters at most.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
+set(about "A constriction of a surface is a simple closed curve on it whose length is
+locally minimal: a rubber band that stays where it was put. Constrictions are
+closed geodesics. They mark necks, throats, limb joints and handles, and each
+is proved with exact arithmetic.
+.")
 
 set(CPACK_DEBIAN_CONSTRICTIONS_PROGRAM_PACKAGE_NAME constrictions)
 set(CPACK_DEBIAN_CONSTRICTIONS_PROGRAM_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_CONSTRICTIONS_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_CONSTRICTIONS_PROGRAM_DESCRIPTION "closed curves of locally minimal length on triangle meshes
 ${about}
-This package has the program constrictions, which finds them in files of meshes, cuts the meshes along them, and writes
-pages that show them in a browser.")
+This package has the program constrictions, which finds them in files of
+meshes, cuts the meshes along them, and writes pages that show them in a
+browser.")
 
 set(CPACK_DEBIAN_CONSTRICTIONS_DEVELOPMENT_PACKAGE_NAME libsurface-mesh-constrictions-dev)
 set(CPACK_DEBIAN_CONSTRICTIONS_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_CONSTRICTIONS_DEVELOPMENT_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_CONSTRICTIONS_DEVELOPMENT_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libgmp-dev, libmpfr-dev")
 set(CPACK_DEBIAN_CONSTRICTIONS_DEVELOPMENT_PACKAGE_SUGGESTS "libtbb-dev, libeigen3-dev")
-set(CPACK_DEBIAN_CONSTRICTIONS_DEVELOPMENT_DESCRIPTION "C++ headers for constrictions of triangle meshes
+set(CPACK_DEBIAN_CONSTRICTIONS_DEVELOPMENT_DESCRIPTION "closed curves of locally minimal length on triangle meshes (headers)
 ${about}
-This package has the headers of Surface_mesh_constrictions, which are used like those of a package of CGAL, and the files
-for CMake and pkg-config.")
+This package has the headers of Surface_mesh_constrictions, which are used
+like those of a package of CGAL, and the files for CMake and pkg-config.")
 
 # The module is for one version of Python: from this one on, and before the next one.
 if(TARGET constrictions_python)
@@ -57,9 +62,12 @@ if(TARGET constrictions_python)
   set(CPACK_DEBIAN_CONSTRICTIONS_PYTHON_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_CONSTRICTIONS_PYTHON_PACKAGE_DEPENDS
     "python3 (>= ${this_python}~), python3 (<< 3.${next_python}), python3-numpy")
-  set(CPACK_DEBIAN_CONSTRICTIONS_PYTHON_DESCRIPTION "constrictions of triangle meshes, for Python and numpy
+  set(CPACK_DEBIAN_CONSTRICTIONS_PYTHON_PACKAGE_CONTROL_EXTRA
+    "${CMAKE_CURRENT_LIST_DIR}/debian/python/postinst;${CMAKE_CURRENT_LIST_DIR}/debian/python/prerm")
+  set(CPACK_DEBIAN_CONSTRICTIONS_PYTHON_DESCRIPTION "closed curves of locally minimal length on triangle meshes (Python)
 ${about}
-This package has the module constrictions, which takes and returns arrays of numpy.")
+This package has the module constrictions, which takes and returns arrays of
+numpy.")
 endif()
 
 # What every package has in its folder of documents.
@@ -88,5 +96,10 @@ if(GZIP_EXECUTABLE)
     endif()
   endforeach()
 endif()
+
+install(FILES "${CMAKE_CURRENT_LIST_DIR}/debian/lintian-overrides"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/lintian/overrides"
+  RENAME libsurface-mesh-constrictions-dev
+  COMPONENT constrictions_development)
 
 include(CPack)

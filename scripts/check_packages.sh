@@ -57,6 +57,7 @@ else
   packages=$2
 fi
 for package in "$packages"/*.deb; do
+  # shellcheck disable=SC2016
   dpkg-deb --show --showformat '${Package} ${Version} ${Architecture}: ${Depends}\n' "$package"
 done
 
@@ -70,7 +71,7 @@ step python inside root "python3 -c \"
 import numpy as np, constrictions
 lines = [l.split() for l in open('cactus.off') if l.strip() and l[0] != '#']
 n, m = map(int, lines[1][:2])
-V = np.array(lines[2:2 + n], dtype=float)
+V = np.array([l[:3] for l in lines[2:2 + n]], dtype=float)
 F = np.array([l[1:4] for l in lines[2 + n:2 + n + m]], dtype=np.int32)
 curves = constrictions.Surface(V, F).detect()
 print(curves)

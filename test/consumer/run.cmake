@@ -15,9 +15,16 @@ endif()
 
 file(REMOVE_RECURSE "${WORK_DIR}")
 run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/prefix" --config "${BUILD_TYPE}")
-if(EXISTS "${WORK_DIR}/prefix/bin/constrictions" AND
-   NOT EXISTS "${WORK_DIR}/prefix/share/constrictions/constrictions-1.schema.json")
-  message(FATAL_ERROR "The program is installed without the schema of what it writes")
+if(EXISTS "${WORK_DIR}/prefix/bin/constrictions")
+  foreach(file constrictions/constrictions-1.schema.json man/man1/constrictions.1
+               bash-completion/completions/constrictions)
+    if(NOT EXISTS "${WORK_DIR}/prefix/share/${file}")
+      message(FATAL_ERROR "The program is installed without share/${file}")
+    endif()
+  endforeach()
+endif()
+if(NOT EXISTS "${WORK_DIR}/prefix/share/pkgconfig/surface-mesh-constrictions.pc")
+  message(FATAL_ERROR "The headers are installed without their file for pkg-config")
 endif()
 # Without Eigen, which users need not have, and without optimisation, which takes longer to compile.
 run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}" -B "${WORK_DIR}/build"

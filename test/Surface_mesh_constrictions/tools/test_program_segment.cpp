@@ -267,6 +267,31 @@ TEST_F(Segment, formats)
   EXPECT_NEAR(PMP::volume(constrictions::read_mesh_file((folder / "parts" / "part_0.glb").string())), volumes[0], 1e-6);
 }
 
+TEST_F(Segment, a_part_with_four_boundaries_has_its_genus)
+{
+  program_fixture::Cubes cubes;
+  cubes.add_box({0, 0, 0}, {5, 5, 3});
+  for(const auto& [bar, end] : std::vector<std::array<std::array<program_fixture::Grid_point, 2>, 2>>{
+          {{{{{5, 2, 1}, {7, 3, 2}}}, {{{7, 1, 0}, {10, 4, 3}}}}},
+          {{{{{-2, 2, 1}, {0, 3, 2}}}, {{{-5, 1, 0}, {-2, 4, 3}}}}},
+          {{{{{2, 5, 1}, {3, 7, 2}}}, {{{1, 7, 0}, {4, 10, 3}}}}},
+          {{{{{2, -2, 1}, {3, 0, 2}}}, {{{1, -5, 0}, {4, -2, 3}}}}}})
+  {
+    cubes.add_box(bar[0], bar[1]);
+    cubes.add_box(end[0], end[1]);
+  }
+  write("star.off", cubes.off());
+  const json parts = segment("star.off").at("parts");
+  ASSERT_EQ(parts.size(), 5u);
+  std::multiset<int> boundaries;
+  for(const json& p : parts)
+  {
+    EXPECT_EQ(p.at("genus"), 0);
+    boundaries.insert(p.at("boundaries").get<int>());
+  }
+  EXPECT_EQ(boundaries, (std::multiset<int>{1, 1, 1, 1, 4}));
+}
+
 TEST_F(Segment, one_file_of_3mf_has_all_parts)
 {
   if(!CONSTRICTIONS_HAS_ZIP)

@@ -257,9 +257,10 @@ TEST_F(Scene_files, what_is_wrong_with_a_glb_file_is_told)
   std::string many = good;
   many = replaced(many, "\"count\": 24", "\"count\": 99");
   expect_file_error("many.glb", many, {"accessors[1]", "99 elements do not fit"});
-  expect_defect(Input_defect::INVALID_VERTEX_INDEX, 0, "vertex.glb",
-                std::string(good).replace(good.rfind(bytes_of<std::uint16_t>(corners(soup))), 2, std::string("\x09\0", 2)),
-                {"refers to vertex 9 of 6"});
+  expect_defect(
+      Input_defect::INVALID_VERTEX_INDEX, 0, "vertex.glb",
+      std::string(good).replace(good.rfind(bytes_of<std::uint16_t>(corners(soup))), 2, std::string("\x09\0", 2)),
+      {"refers to vertex 9 of 6"});
   expect_file_error("points.glb", replaced(good, "\"mode\": 1", "\"mode\": 9"), {"primitive 1", "mode is 9"});
 }
 

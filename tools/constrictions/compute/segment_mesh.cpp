@@ -118,9 +118,10 @@ Part measured_part(const Mesh& open, Mesh&& capped, bool is_open)
       for(Mesh::Halfedge_index b : open.halfedges_around_face(h))
         is_seen[b] = true;
     }
-  const std::size_t euler_characteristic =
-      open.number_of_vertices() + open.number_of_faces() - open.number_of_edges(); // modulo 2^64
-  part.genus = (2 - euler_characteristic - part.boundaries) / 2;
+  // negative with three boundaries or more; the numbers of a mesh are unsigned, of 32 bits
+  const std::ptrdiff_t euler_characteristic =
+      std::ptrdiff_t(open.number_of_vertices()) + open.number_of_faces() - std::ptrdiff_t(open.number_of_edges());
+  part.genus = static_cast<std::size_t>((2 - euler_characteristic - std::ptrdiff_t(part.boundaries)) / 2);
   part.mesh = is_open ? open : std::move(capped);
   return part;
 }

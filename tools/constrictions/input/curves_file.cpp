@@ -149,9 +149,11 @@ private:
     return result;
   }
 
-  // Whether a point is in a triangle of a face of the file.
+  // Whether a point is in a triangle of a face of the file. False if there is no such face.
   bool is_in_face(const Point& p, std::uint64_t f, double distance) const
   {
+    if(f >= m_numbering.faces)
+      return false;
     const bool is_plain = m_numbering.face.empty();
     const std::size_t begin = is_plain ? f : m_first_triangle[f], end = is_plain ? f + 1 : m_first_triangle[f + 1];
     for(std::size_t t = begin; t < end; ++t)
@@ -165,6 +167,19 @@ private:
     return false;
   }
 
+  // The faces that locations name; none if one of them names none.
+  static std::vector<std::uint64_t> faces_of(const Json& locations)
+  {
+    std::vector<std::uint64_t> result;
+    for(const Json& location : locations)
+    {
+      if(!location.is_object() || !location.contains("face") || !location["face"].is_number_unsigned())
+        return {};
+      result.push_back(location["face"].get<std::uint64_t>());
+    }
+    return result;
+  }
+
   // Whether most points are not where the numbers say. What cannot be understood is no reason: it is told later.
   bool is_numbered_anew(const Json& curves) const
   {
@@ -176,14 +191,13 @@ private:
       if(!places || !curve.contains("locations") || !curve["locations"].is_array() ||
          curve["locations"].size() != places->size())
         continue;
-      for(std::size_t i = 0; i < places->size(); ++i)
+      const std::vector<std::uint64_t> faces = faces_of(curve["locations"]);
+      for(std::size_t i = 0; i < faces.size(); ++i)
       {
-        const Json& location = curve["locations"][i];
-        if(!location.is_object() || !location.contains("face") || !location["face"].is_number_unsigned() ||
-           location["face"].get<std::uint64_t>() >= m_numbering.faces)
-          continue;
+        const std::size_t from_behind = faces.size() - 1 - i; // others may have turned the locations round
         ++points;
-        elsewhere += !is_in_face((*places)[i], location["face"].get<std::uint64_t>(), distance);
+        elsewhere +=
+            !is_in_face((*places)[i], faces[i], distance) && !is_in_face((*places)[i], faces[from_behind], distance);
       }
     }
     return 2 * elsewhere > points;
