@@ -112,7 +112,7 @@ int __libc_start_main(int (*main)(int, char**, char**), int argc, char** argv, v
 {
   main_of_program = main;
   return next_function<decltype(&__libc_start_main)>("__libc_start_main")(armed_main, argc, argv, init, fini, end,
-                                                                           stack);
+                                                                          stack);
 }
 
 std::FILE* fopen(const char* name, const char* mode)

@@ -323,12 +323,14 @@ inline void change(Body& body, Bytes& bytes)
     if(4 * body.faces.size() <= most_faces)
       subdivide(body);
     break;
-  case 1: {
+  case 1:
+  {
     const std::size_t f = some_face(body, bytes);
     raise_vertex(body, f, (bytes.below(33) - 16) / 8.);
     break;
   }
-  case 2: {
+  case 2:
+  {
     const std::size_t f = some_face(body, bytes);
     flip_edge(body, f, static_cast<std::size_t>(bytes.below(3)));
     break;
@@ -352,14 +354,16 @@ inline void change(Body& body, Bytes& bytes)
       }
     break;
   }
-  case 5: {
+  case 5:
+  {
     std::array<int, 4> q;
     for(int& x : q)
       x = bytes.below(7) - 3;
     rotate(body, q);
     break;
   }
-  case 6: {
+  case 6:
+  {
     const double factor = std::ldexp(1., bytes.below(41) - 20);
     for(Position& p : body.points)
       for(double& x : p)
@@ -384,7 +388,8 @@ inline void change(Body& body, Bytes& bytes)
   case 9: // a hole
     body.faces.erase(body.faces.begin() + static_cast<std::ptrdiff_t>(some_face(body, bytes)));
     break;
-  case 10: {
+  case 10:
+  {
     const std::size_t f = some_face(body, bytes), g = some_face(body, bytes);
     join_faces(body, f, g);
     break;

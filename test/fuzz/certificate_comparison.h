@@ -101,7 +101,8 @@ public:
       break;
     }
     if(!agrees)
-      fail(text_of(certificate) + ", but the oracle finds " + std::to_string(static_cast<int>(answer.finding)));
+      fail(text_of(certificate) + ", but the oracle says: " + text_of(answer) + "; the curve is" +
+           text_of(nodes_of(curve)));
     if(certificate.is_certified() && curve.length() > 0)
     {
       const double length = static_cast<double>(answer.length);
@@ -115,6 +116,30 @@ private:
   {
     std::ostringstream out;
     out << certificate;
+    return out.str();
+  }
+
+  static std::string text_of(const Oracle::Answer& answer)
+  {
+    std::ostringstream out;
+    const std::array<const char*, 8> names = {
+        {"strict", "constriction", "leaks", "not closed", "not straight", "small angle", "not simple", "unknown"}};
+    out << names[static_cast<std::size_t>(answer.finding)];
+    for(const auto& places : {answer.small_angles, answer.wrong_ends})
+      for(const auto& [point, is_left] : places)
+        out << ", point " << point << (is_left ? " left" : " right");
+    return out.str();
+  }
+
+  // A vertex each, or the ends of the edge that is crossed.
+  static std::string text_of(const std::vector<Node>& nodes)
+  {
+    std::ostringstream out;
+    for(const Node& n : nodes)
+      if(n.vertex >= 0)
+        out << ' ' << n.vertex;
+      else
+        out << ' ' << n.from << '-' << n.to;
     return out.str();
   }
 

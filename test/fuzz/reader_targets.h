@@ -149,7 +149,11 @@ inline bool run_curve_reader_target(const std::uint8_t* data, std::size_t size, 
   if(size == 0)
     return false;
   static const Body body = waist();
-  static const constrictions::Mesh mesh = mesh_of(body);
+  // from a file, so that the corners of faces have the order of the file
+  static const constrictions::Mesh mesh = [] {
+    const std::string text = constrictions::mesh_as_text(mesh_of(body), "mesh.off");
+    return constrictions::read_mesh_file(Temporary_file(".off", text.data(), text.size()).name());
+  }();
   constrictions::File_numbering numbering;
   numbering.vertices = mesh.number_of_vertices();
   numbering.faces = mesh.number_of_faces();
@@ -168,7 +172,8 @@ inline bool run_curve_reader_target(const std::uint8_t* data, std::size_t size, 
       if(constrictions::read_labels_file(file.name(), numbering.faces).size() != numbering.faces)
         fail("there are not as many labels as faces");
     });
-  default: {
+  default:
+  {
     constrictions::Curves curves;
     if(!is_read([&] { curves = constrictions::read_curves_file(file.name(), mesh, numbering); }))
       return false;

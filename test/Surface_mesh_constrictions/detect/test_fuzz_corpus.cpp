@@ -76,11 +76,10 @@ TEST(FuzzOracle, ContradictsAWrongCertificate)
       mesh, exact_models::vertices_at(soup, exact_models::ring(exact_models::square(), 1, 5)));
   SMC::Certificate certificate = certify_constriction(mesh, curve);
   EXPECT_NO_THROW(comparison.compare(curve, certificate));
-  for(auto wrong :
-      {SMC::Certificate_verdict::CONSTRICTION, SMC::Certificate_verdict::LEAKY_BAND,
-       SMC::Certificate_verdict::NOT_A_CLOSED_CURVE, SMC::Certificate_verdict::NOT_STRAIGHT,
-       SMC::Certificate_verdict::ANGLE_BELOW_PI, SMC::Certificate_verdict::CROSSES_ITSELF,
-       SMC::Certificate_verdict::TOUCHES_ITSELF, SMC::Certificate_verdict::NOT_COMPUTED})
+  for(auto wrong : {SMC::Certificate_verdict::CONSTRICTION, SMC::Certificate_verdict::LEAKY_BAND,
+                    SMC::Certificate_verdict::NOT_A_CLOSED_CURVE, SMC::Certificate_verdict::NOT_STRAIGHT,
+                    SMC::Certificate_verdict::ANGLE_BELOW_PI, SMC::Certificate_verdict::CROSSES_ITSELF,
+                    SMC::Certificate_verdict::TOUCHES_ITSELF, SMC::Certificate_verdict::NOT_COMPUTED})
   {
     certificate.verdict = wrong;
     EXPECT_THROW(comparison.compare(curve, certificate), fuzz::Failure);

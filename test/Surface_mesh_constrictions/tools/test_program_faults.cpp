@@ -32,8 +32,7 @@ protected:
   Result run_in(const std::string& environment, const std::string& arguments, const std::string& before = "true") const
   {
     const std::string command = "cd '" + folder.string() + "' && " + before + " && exec env " + environment +
-                                " '" CONSTRICTIONS_PROGRAM "' " + arguments +
-                                " > stdout.txt 2> stderr.txt < /dev/null";
+                                " '" CONSTRICTIONS_PROGRAM "' " + arguments + " > stdout.txt 2> stderr.txt < /dev/null";
     const int status = std::system(("sh -c \"" + command + '"').c_str());
     const Result result{WIFEXITED(status) && WEXITSTATUS(status) < 128 ? WEXITSTATUS(status) : -1,
                         content("stdout.txt"), content("stderr.txt")};
@@ -115,7 +114,7 @@ protected:
         {
           EXPECT_EQ(r.exit_code, -1);
           for(const fs::path& file : files())
-            if(before.count(file) == 0)
+            if(fs::is_regular_file(folder / file) && before.count(file) == 0)
               fs::remove(folder / file);
           continue;
         }
