@@ -479,9 +479,8 @@ private:
         its_seeds.push_back(m_seeds[s]);
       Result curve = maker.make(m_network, f.curve, its_seeds, f.band_width, f.certificate);
       const bool is_rim = curve.is_rim() && m_selection.with_rims;
-      if(curve.length() < m_selection.minimum_length || curve.length() > m_selection.maximum_length ||
-         (!m_selection.all && !is_rim &&
-          (curve.is_rim() || (curve.is_separating() && curve.isoperimetric_ratio() > m_selection.maximum_ratio))))
+      if(!m_selection.all && !is_rim &&
+         (curve.is_rim() || (curve.is_separating() && curve.isoperimetric_ratio() > m_selection.maximum_ratio)))
         continue;
       const std::vector<Arc> arcs = arcs_of_curve(m_network, f.curve);
       std::vector<Trace_point> points = accurate_trace(m_pm, arcs);
@@ -492,6 +491,15 @@ private:
         if(!crossed->crossed_by(points).empty())
           continue;
       }
+      // the bounds of the length hold after the selection
+      const bool is_within =
+          curve.length() >= m_selection.minimum_length && curve.length() <= m_selection.maximum_length;
+      if(!is_within && (m_selection.all || is_rim || m_selection.minimum_prominence <= 0))
+      {
+        if(crossed)
+          crossed->add(points);
+        continue;
+      }
       if(!meter)
         meter.emplace(m_pm, m_prepared.measuring());
       const Measured_curve measured = {arcs, points, f.length, curve.is_separating()};
@@ -500,6 +508,8 @@ private:
         continue;
       if(crossed)
         crossed->add(points);
+      if(!is_within)
+        continue;
       entries.push_back({p.value, std::nullopt, p.vertex, p.end != Barrier_end::NONE});
       curves.push_back(f.curve);
       slides_to.push_back(null_index);
