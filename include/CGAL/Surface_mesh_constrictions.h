@@ -9,12 +9,14 @@
 #include <CGAL/Surface_mesh_constrictions/Closed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Constriction_query.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Label_border.h>
 #include <CGAL/Surface_mesh_constrictions/Local_boundary_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/Loop_through_locations.h>
 #include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Removed_handle.h>
@@ -35,6 +37,7 @@
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions_near.h>
 #include <CGAL/Surface_mesh_constrictions/extract_parts.h>
+#include <CGAL/Surface_mesh_constrictions/geodesic_loop_through_locations.h>
 #include <CGAL/Surface_mesh_constrictions/geodesic_loops_at_location.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>

@@ -7,9 +7,10 @@
 
 #include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
-#include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/Tightened_curve.h>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,7 +21,6 @@ typedef CGAL::Surface_mesh_constrictions::Tightened_curve<Mesh> Tightened_curve;
 /// What is looked for, and which of what is found is selected; see `detect_constrictions()`.
 struct Search
 {
-  std::optional<Mesh::Point> location; ///< near which, instead of everywhere
   double minimum_prominence, minimum_isolation, maximum_ratio, minimum_length, maximum_length;
   std::optional<std::size_t> maximum_number;
   bool all, rims, crossing, certify, certified_only;
@@ -33,14 +33,31 @@ struct Detected
   CGAL::Surface_mesh_constrictions::Detection_statistics statistics;
 };
 
+/// A mesh that is prepared once for queries. Several threads may ask it at a time.
+class Prepared_mesh
+{
+public:
+  Prepared_mesh(const Mesh& mesh, Monitor& monitor);
+  ~Prepared_mesh();
+
+  Detected near(const Mesh::Point& location, const Search& search, Monitor& monitor) const;
+  std::vector<Geodesic_loop> girth(const Mesh::Point& location, std::size_t maximum_number,
+                                   std::optional<double> minimum_angle, bool certify) const;
+  std::vector<Tightened_curve> tighten(const std::vector<std::vector<Mesh::Vertex_index>>& loops, bool certify,
+                                       Monitor& monitor) const;
+
+private:
+  struct Query;
+  std::unique_ptr<const Query> m_query;
+};
+
+/// the prepared mesh of a surface, which is made when it is first asked for
+std::shared_ptr<const Prepared_mesh> prepared(const Surface& surface, Monitor& monitor);
+
 /// \name Computations
 /// Without Python, in files of their own, as they take long to compile.
 /// @{
 Detected detect(const Mesh& mesh, const Search& search, Monitor& monitor);
-std::vector<Geodesic_loop> girth(const Mesh& mesh, const Mesh::Point& location, std::size_t maximum_number,
-                                 std::optional<double> minimum_angle, bool certify);
-std::vector<Tightened_curve> tighten(const Mesh& mesh, const std::vector<std::vector<Mesh::Vertex_index>>& loops,
-                                     bool certify, Monitor& monitor);
 CGAL::Surface_mesh_constrictions::Certificate certify(const Mesh& mesh, const Constriction& curve);
 /// @}
 

@@ -71,10 +71,14 @@ Mesh::Point as_point(const py::object& location)
   return Mesh::Point(p(0), p(1), p(2));
 }
 
-Surface_curves search(const Surface_pointer& surface, const Search& search, const py::object& progress)
+Surface_curves search(const Surface_pointer& surface, const std::optional<Mesh::Point>& location, const Search& search,
+                      const py::object& progress)
 {
   Detected detected;
-  compute(progress, [&](Monitor& monitor) { detected = detect(surface->mesh, search, monitor); });
+  compute(progress, [&](Monitor& monitor) {
+    detected = location ? prepared(*surface, monitor)->near(*location, search, monitor)
+                        : detect(surface->mesh, search, monitor);
+  });
   Surface_curves result;
   for(const Constriction& c : detected.constrictions)
     result.curves.push_back(std::make_shared<Surface_curve>(Surface_curve{surface, c, {}}));
@@ -87,7 +91,9 @@ py::list girth_of(const Surface_pointer& surface, const py::object& location, st
 {
   const Mesh::Point point = as_point(location);
   std::vector<Geodesic_loop> loops;
-  compute(py::none(), [&](Monitor&) { loops = girth(surface->mesh, point, maximum_number, minimum_angle, certifies); });
+  compute(py::none(), [&](Monitor& monitor) {
+    loops = prepared(*surface, monitor)->girth(point, maximum_number, minimum_angle, certifies);
+  });
   py::list result;
   for(const Geodesic_loop& l : loops)
     result.append(std::make_shared<Surface_loop>(Surface_loop{surface, l, {}}));
@@ -122,7 +128,8 @@ py::list tighten_all(const Surface_pointer& surface, const py::iterable& given, 
   for(const py::handle& loop : given)
     loops.push_back(as_loop(surface->mesh, loop, loops.size()));
   std::vector<Tightened_curve> tightened;
-  compute(progress, [&](Monitor& monitor) { tightened = tighten(surface->mesh, loops, certifies, monitor); });
+  compute(progress,
+          [&](Monitor& monitor) { tightened = prepared(*surface, monitor)->tighten(loops, certifies, monitor); });
   py::list result;
   for(const Tightened_curve& t : tightened)
   {
@@ -208,9 +215,9 @@ TypeError for elements of another type; ValueError for another shape.)")
           [](const Surface_pointer& surface, double minimum_prominence, double minimum_isolation, double maximum_ratio,
              double minimum_length, double maximum_length, std::optional<std::size_t> maximum_number, bool all,
              bool rims, bool crossing, bool certifies, bool certified_only, const py::object& progress) {
-            return search(surface,
-                          {std::nullopt, minimum_prominence, minimum_isolation, maximum_ratio, minimum_length,
-                           maximum_length, maximum_number, all, rims, crossing, certifies, certified_only},
+            return search(surface, std::nullopt,
+                          {minimum_prominence, minimum_isolation, maximum_ratio, minimum_length, maximum_length,
+                           maximum_number, all, rims, crossing, certifies, certified_only},
                           progress);
           },
           py::kw_only(), py::arg("min_prominence") = SMC::default_minimum_prominence,
@@ -245,9 +252,9 @@ Returns Constrictions, a sequence.)")
              double minimum_isolation, double maximum_ratio, double minimum_length, double maximum_length,
              std::optional<std::size_t> maximum_number, bool all, bool rims, bool crossing, bool certifies,
              bool certified_only, const py::object& progress) {
-            return search(surface,
-                          {as_point(location), minimum_prominence, minimum_isolation, maximum_ratio, minimum_length,
-                           maximum_length, maximum_number, all, rims, crossing, certifies, certified_only},
+            return search(surface, as_point(location),
+                          {minimum_prominence, minimum_isolation, maximum_ratio, minimum_length, maximum_length,
+                           maximum_number, all, rims, crossing, certifies, certified_only},
                           progress);
           },
           py::arg("location"), py::kw_only(), py::arg("min_prominence") = 0., py::arg("min_isolation") = 0.,
@@ -258,7 +265,8 @@ Returns Constrictions, a sequence.)")
           R"(near(location, *, min_prominence=0, min_isolation=0, max_ratio=0.25, min_length=0, max_length=inf,
      max_number=None, all=False, rims=False, crossing=False, certify=True, certified_only=False, progress=None)
 
-Finds the constrictions near a location, the nearest first: "the loop around this arm".
+Finds the constrictions around a location, the nearest first: "the loop around this arm". Where nothing is narrow there
+are none. The first call of near(), girth() or tighten() prepares the surface; all later ones are fast.
 
 location: (3,) float64, a point on the surface or near it.
 

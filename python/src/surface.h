@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace constrictions {
@@ -20,6 +21,8 @@ typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::
 typedef CGAL::Surface_mesh_constrictions::Constriction<Mesh> Constriction;
 typedef CGAL::Surface_mesh_constrictions::Geodesic_loop<Mesh> Geodesic_loop;
 
+class Prepared_mesh;
+
 /// A triangle mesh that does not change any more. Vertices and faces have the numbers of the arrays that it was made
 /// of, and the halfedge of a face starts at its first corner. An isolated vertex keeps its number, but is marked as
 /// removed.
@@ -27,6 +30,10 @@ struct Surface
 {
   Mesh mesh;
   mutable pybind11::object faces; ///< as an array; made when it is first asked for
+
+  /// the mesh prepared for queries; made when it is first asked for, by one of the threads that ask
+  mutable std::shared_ptr<const Prepared_mesh> prepared;
+  mutable std::mutex prepared_mutex;
 };
 
 /// copies two arrays into a surface. Throws `Invalid_input` as the functions of the library do.

@@ -5,6 +5,7 @@
 #include "input/curves_file.h"
 #include "input/input_file.h"
 #include "input/labels_file.h"
+#include "input/landmarks_file.h"
 #include "options.h"
 #include "output/certificates.h"
 #include "output/check_report.h"
@@ -134,6 +135,34 @@ void girth(const Options& options, Stage_monitor& monitor, Report& report)
   try
   {
     find_girth(options.girth, options.search.certifies, monitor, report);
+  }
+  catch(const Invalid_input& e)
+  {
+    throw with_hint(e, report.file);
+  }
+}
+
+void ask_at_landmarks(const Options& options, const std::vector<Landmark>& landmarks, Stage_monitor& monitor,
+                      Report& report)
+{
+  try
+  {
+    if(options.command == Command::GIRTH)
+      find_girths(landmarks, options.girth, options.search.certifies, monitor, report);
+    else
+      detect_near_landmarks(landmarks, options.selection, options.search.certifies, monitor, report);
+  }
+  catch(const Invalid_input& e)
+  {
+    throw with_hint(e, report.file);
+  }
+}
+
+void tighten_through(const Options& options, const Place_loops& loops, Stage_monitor& monitor, Report& report)
+{
+  try
+  {
+    tighten_through_places(options.places, loops, options.search.certifies, monitor, report);
   }
   catch(const Invalid_input& e)
   {
@@ -325,7 +354,11 @@ void tell_of_repairs(const std::string& mesh, const File_record& record)
 std::string hint_at_all(const Options& options, const Report& report)
 {
   const Selection& s = options.selection;
-  if(!report.constrictions.empty() || report.statistics.not_selected == 0 || s.all || s.maximum_number == 0)
+  if(!report.constrictions.empty() || s.all || s.maximum_number == 0)
+    return "";
+  if(options.search.location)
+    return near_hint(report.statistics.not_selected);
+  if(report.statistics.not_selected == 0)
     return "";
   return std::string("Closed geodesics were found but are not selected; --all shows them") +
          (s.minimum_length || s.maximum_length ? ", within the bounds of the length." : ".");
@@ -340,8 +373,14 @@ int run(const Options& options)
   report.mesh = read_mesh_file(options.mesh, options.reading, report.file);
   report.seconds.read = seconds_since(begin);
   Loops loops;
+  Place_loops place_loops;
   std::vector<Label> labels;
-  if(!options.labels.empty())
+  std::vector<Landmark> landmarks;
+  if(!options.landmarks.empty())
+    landmarks = read_landmarks_file(options.landmarks);
+  else if(!options.places.empty())
+    place_loops = read_places_file(options.places, report.mesh, report.file.numbering);
+  else if(!options.labels.empty())
     labels = read_labels_file(options.labels, report.file.numbering.faces);
   else if(options.command == Command::TIGHTEN)
     loops = read_loops_file(options.loops, report.mesh, report.file.numbering);
@@ -351,7 +390,11 @@ int run(const Options& options)
   Handle_removal removal;
   {
     Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
-    if(!options.labels.empty())
+    if(!landmarks.empty())
+      ask_at_landmarks(options, landmarks, monitor, report);
+    else if(!options.places.empty())
+      tighten_through(options, place_loops, monitor, report);
+    else if(!options.labels.empty())
       tighten_borders(options, labels, monitor, report);
     else if(options.command == Command::TIGHTEN)
       tighten(options, loops, monitor, report);
@@ -376,7 +419,7 @@ int run(const Options& options)
     report.seconds.total = seconds_since(begin);
     return write_handles(options, report, removal);
   }
-  if(options.command != Command::GIRTH)
+  if(options.command != Command::GIRTH && landmarks.empty())
     report.hint = hint_at_all(options, report);
   if(options.command == Command::VIEW)
   {

@@ -57,6 +57,8 @@ const char* const examples =
     "  constrictions girth hand.ply --at 1.5,0,-2\n"
     "      prints the length of the shortest loop around the finger through a place, whether it is narrow there or "
     "not\n"
+    "  constrictions girth body.ply --landmarks landmarks.csv --csv -\n"
+    "      prints a table of the girths at many places, each on a line x,y,z or name,x,y,z\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
     "  constrictions tighten bone.ply --labels parts.txt -o result\n"
@@ -409,20 +411,30 @@ void add_near_option(CLI::App& command, Search& search)
   command
       .add_option_function<std::string>(
           "--near", [&search](const std::string& text) { search.location = parse_location(text); },
-          "report the curves near this location, the nearest first, such as the loop around an arm; weak ones, too, "
-          "unless --min-prominence is given")
+          "report the curves around this location, the nearest first, such as the loop around an arm; weak ones, too, "
+          "unless --min-prominence is given; none where nothing is narrow")
       ->type_name("X,Y,Z")
       ->check(is_location());
+}
+
+CLI::Option* add_landmarks_option(CLI::App& command, Options& options)
+{
+  return command
+      .add_option(
+          "--landmarks", options.landmarks,
+          "instead of one place, those of a file of comma-separated values: on each line x,y,z, or a name before "
+          "them; the mesh is prepared once")
+      ->type_name("FILE")
+      ->check(not_empty);
 }
 
 void add_girth_options(CLI::App& command, Girth& girth)
 {
   command
       .add_option_function<std::string>(
-          "--at", [&girth](const std::string& text) { girth.location = *parse_location(text); },
+          "--at", [&girth](const std::string& text) { girth.location = parse_location(text); },
           "hold the loops at this place, or at the point of the surface that is nearest to it")
       ->type_name("X,Y,Z")
-      ->required()
       ->check(is_location());
   command.add_option("--max", girth.maximum_number, "report N loops at most, the shortest ones; by default 1")
       ->type_name("N")
@@ -523,7 +535,7 @@ void check_bounds(const Selection& selection)
 void check_files(const Options& options)
 {
   std::vector<std::string> names = {options.mesh == "-" ? "/dev/stdin" : options.mesh};
-  for(const std::string& name : {options.loops, options.labels, options.curves})
+  for(const std::string& name : {options.loops, options.places, options.labels, options.landmarks, options.curves})
     if(!name.empty())
       names.push_back(name);
   const std::size_t inputs = names.size();
@@ -629,11 +641,13 @@ void describe_program(CLI::App& app, Options& options, Words& words)
   add_threads(detect, options);
   add_selection_options(detect, options.selection);
   add_near_option(detect, options.search);
-  add_seeds(detect, options.search)->excludes("--near");
+  add_landmarks_option(detect, options)->excludes("--near")->excludes("--policy");
+  add_seeds(detect, options.search)->excludes("--near")->excludes("--landmarks");
 
   CLI::App& girth = *app.add_subcommand("girth", "find the shortest loop around the limb through a place");
   add_common_options(girth, options);
   add_girth_options(girth, options.girth);
+  add_landmarks_option(girth, options)->excludes("--at");
 
   CLI::App& tighten = *app.add_subcommand(
       "tighten", "shorten given loops, or the borders of given parts, until they are constrictions");
@@ -645,12 +659,22 @@ void describe_program(CLI::App& app, Options& options, Words& words)
       ->type_name("FILE")
       ->check(not_empty);
   tighten
+      .add_option(
+          "--through", options.places,
+          "instead of loops of edges, loops through a few places, one a line: vertex numbers or points x,y,z, "
+          "separated by blanks. They are joined by geodesics in their order, and the last to the first; the JSON "
+          "has the loop as it is held at the places, too")
+      ->type_name("FILE")
+      ->excludes("--loops")
+      ->check(not_empty);
+  tighten
       .add_option("--labels", options.labels,
                   "instead of loops, the borders between parts: a label for each face of the mesh, a whole number on "
                   "each line. Borders that meet where there are three labels are held there. With -o the new labels "
                   "are written into DIR/labels.txt, and the parts as segment does")
       ->type_name("FILE")
       ->excludes("--loops")
+      ->excludes("--through")
       ->check(not_empty);
 
   CLI::App& certify = *app.add_subcommand("certify", "prove that given curves are constrictions");
@@ -693,9 +717,10 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
     options.policy = words.policy == "gh"   ? Policy::GARLAND_HECKBERT
                      : words.policy == "lt" ? Policy::LINDSTROM_TURK
                                             : Policy::EDGE_LENGTH;
-    if(options.search.location && !options.selection.minimum_prominence)
+    const bool is_near = options.search.location || (options.command == Command::DETECT && !options.landmarks.empty());
+    if(is_near && !options.selection.minimum_prominence)
       options.selection.minimum_prominence = 0;
-    if(options.search.location && !options.selection.minimum_isolation)
+    if(is_near && !options.selection.minimum_isolation)
       options.selection.minimum_isolation = 0;
     if(!words.side.empty())
       options.segmentation.side = words.side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
@@ -705,8 +730,11 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
     check_bounds(options.selection);
     if(options.segmentation.format == Part_format::THREE_MF && !has_zip())
       throw CLI::ValidationError("--format", "this program was built without libzip, which writes 3MF files");
-    if(options.command == Command::TIGHTEN && options.loops.empty() && options.labels.empty())
-      throw CLI::RequiredError("--loops or --labels");
+    if(options.command == Command::TIGHTEN && options.loops.empty() && options.places.empty() &&
+       options.labels.empty())
+      throw CLI::RequiredError("--loops, --through or --labels");
+    if(options.command == Command::GIRTH && !options.girth.location && options.landmarks.empty())
+      throw CLI::RequiredError("--at or --landmarks");
     if(options.command != Command::BATCH) // whose folder has files of other names
       check_files(options);
   }

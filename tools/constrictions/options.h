@@ -61,7 +61,7 @@ struct Search
 /// Where loops are held, and which of them are reported.
 struct Girth
 {
-  std::array<double, 3> location = {{0, 0, 0}};
+  std::optional<std::array<double, 3>> location; ///< or else at landmarks
   std::size_t maximum_number = 1;
   double minimum_angle = 0.78539816339744828; ///< radians; a quarter of pi, as in the library
 };
@@ -91,7 +91,9 @@ struct Options
   Command command = Command::DETECT;
   std::string mesh;
   std::string loops;
+  std::string places; ///< of loops through places
   std::string labels;
+  std::string landmarks;
   std::string curves;
   std::string folder;
   std::string json; ///< "-" is the standard output

@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/points_of_locations.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -82,21 +83,7 @@ struct Geodesic_loop
   template <class VertexPointMap, class OutputIterator>
   OutputIterator points(const TriangleMesh& tm, VertexPointMap vpm, OutputIterator out) const
   {
-    typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-    typedef typename Kernel_traits<Point>::Kernel::FT FT;
-    for(const Face_location& l : locations)
-    {
-      std::array<FT, 3> sum = {{FT(0), FT(0), FT(0)}};
-      auto h = halfedge(l.first, tm);
-      for(std::size_t i = 0; i < 3; ++i, h = next(h, tm))
-      {
-        const Point& p = get(vpm, source(h, tm));
-        const FT b(l.second[i]);
-        sum = {{FT(sum[0] + b * p.x()), FT(sum[1] + b * p.y()), FT(sum[2] + b * p.z())}};
-      }
-      *out++ = Point(sum[0], sum[1], sum[2]);
-    }
-    return out;
+    return internal::points_of_locations(locations, tm, vpm, out);
   }
 
   /// as above, with the mesh's own points.

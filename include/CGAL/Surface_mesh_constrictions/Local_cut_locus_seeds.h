@@ -19,6 +19,36 @@
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 
+namespace internal {
+
+// The default arguments of `Local_cut_locus_seeds`: how many vertices are roots.
+constexpr std::size_t local_roots = 64;
+
+// Writes the loops of a cut locus through the vertices of the graph that are nearest to one of them, each once.
+template <class ConcurrencyTag, class OutputIterator>
+OutputIterator write_local_loops(const Edge_graph& graph, Index center, std::size_t max_roots, std::size_t level,
+                                 OutputIterator out)
+{
+  Shortest_path_tree tree(graph);
+  tree.grow(center);
+  std::vector<Index> roots;
+  for(Index v = 0; v < graph.number_of_vertices(); ++v)
+    if(tree.is_reached(v))
+      roots.push_back(v);
+  std::stable_sort(roots.begin(), roots.end(),
+                   [&tree](Index u, Index v) { return tree.distance(u) < tree.distance(v); });
+  if(roots.size() > max_roots)
+    roots.resize(max_roots);
+  const auto make_finder = [&] {
+    return [&, cut_locus = Cut_locus(graph)](std::size_t i, const auto& write) mutable {
+      cut_locus.for_each_loop(roots[i], write);
+    };
+  };
+  return write_distinct_loops<ConcurrencyTag>(roots.size(), 16, make_finder, level, Seed_origin::CUT_LOCUS, out);
+}
+
+} // namespace internal
+
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// Seed source that writes the loops of `cut_locus_seeds_at_vertex()` on the surface with a given number of vertices,
 /// each once. The roots are the vertex that a given vertex of T^0 has been merged into, and the vertices around it.
@@ -37,7 +67,8 @@ public:
   /// \param vertex a vertex of T^0 that is not isolated, numbered as it comes in `vertices(tm)`
   /// \param vertices the number of vertices of the surface on which loops are searched
   /// \param max_roots the greatest number of roots, which are the vertices nearest to the given one, along edges
-  explicit Local_cut_locus_seeds(Index vertex, std::size_t vertices = 1000, std::size_t max_roots = 64)
+  explicit Local_cut_locus_seeds(Index vertex, std::size_t vertices = 1000,
+                                 std::size_t max_roots = internal::local_roots)
     : m_vertex(vertex), m_vertices(vertices), m_max_roots(max_roots)
   {}
 
@@ -55,30 +86,8 @@ private:
   OutputIterator write_loops(const Progressive_mesh& pm, OutputIterator out) const
   {
     const internal::Edge_graph graph(pm);
-    const std::vector<Index> roots = this->roots(graph, graph.number(pm.representative(m_vertex)));
-    const auto make_finder = [&] {
-      return [&, cut_locus = internal::Cut_locus(graph)](std::size_t i, const auto& write) mutable {
-        cut_locus.for_each_loop(roots[i], write);
-      };
-    };
-    return internal::write_distinct_loops<ConcurrencyTag>(roots.size(), 16, make_finder, pm.level(),
-                                                          Seed_origin::CUT_LOCUS, out);
-  }
-
-  // The vertices of the graph that are nearest to one of them, nearest first.
-  std::vector<Index> roots(const internal::Edge_graph& graph, Index center) const
-  {
-    internal::Shortest_path_tree tree(graph);
-    tree.grow(center);
-    std::vector<Index> result;
-    for(Index v = 0; v < graph.number_of_vertices(); ++v)
-      if(tree.is_reached(v))
-        result.push_back(v);
-    std::stable_sort(result.begin(), result.end(),
-                     [&tree](Index u, Index v) { return tree.distance(u) < tree.distance(v); });
-    if(result.size() > m_max_roots)
-      result.resize(m_max_roots);
-    return result;
+    return internal::write_local_loops<ConcurrencyTag>(graph, graph.number(pm.representative(m_vertex)), m_max_roots,
+                                                       pm.level(), out);
   }
 
   Index m_vertex;

@@ -252,6 +252,9 @@ public:
   /// the position of a vertex on the current surface
   const Point& point(Index v) const { return m_points[v]; }
 
+  /// the positions of all vertices, those included that are out
+  const std::vector<Point>& points() const { return m_points; }
+
   /// @}
   /// \name Connectivity
   /// Of elements of the current surface.
@@ -305,6 +308,9 @@ public:
     }
     return null_index;
   }
+
+  /// the connectivity of all elements, those included that are out
+  const internal::Corner_table& connectivity() const { return m_table; }
 
   /// the halfedge from `u` to `v`, or `null_index`. Linear in the degree of `u`.
   Index halfedge(Index u, Index v) const

@@ -8,15 +8,9 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/Detected_hierarchy.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/carry_seeds_to_input.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/found_curves.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
-#include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/constrictions_of_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/policies_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
@@ -30,14 +24,10 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <deque>
-#include <iterator>
 #include <optional>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,16 +35,12 @@ namespace Surface_mesh_constrictions {
 
 namespace internal {
 
-struct Detection_near_parameters
+struct Detection_parameters
   : Selection_on_mesh_parameters::With<internal_np::visitor_t, internal_np::get_cost_policy_t,
                                        internal_np::get_placement_policy_t, internal_np::simplification_policies_t,
                                        internal_np::tightening_schedule_t, internal_np::certify_t,
-                                       internal_np::certified_only_t>
-{};
-
-struct Detection_parameters
-  : Detection_near_parameters::With<internal_np::seed_sources_t, internal_np::seed_detection_t,
-                                    internal_np::first_constriction_only_t>
+                                       internal_np::certified_only_t, internal_np::seed_sources_t,
+                                       internal_np::seed_detection_t, internal_np::first_constriction_only_t>
 {};
 
 // What `detect_constrictions()` does with arguments of the right kind.
@@ -246,12 +232,6 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Detection_visitor_base());
-  const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
-  const bool certified_only = choose_parameter(get_parameter(np, internal_np::certified_only), false);
-  const bool selects_all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
-  const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
-                                                default_maximum_isoperimetric_ratio);
-  const bool with_rims = choose_parameter(get_parameter(np, internal_np::rim_constrictions), false);
 
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();
@@ -269,65 +249,11 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
       internal::policies_asked_for(np));
   const std::deque<internal::Measuring_level> levels = internal::measuring_levels(*surface);
   const Progressive_mesh& pm = *surface;
-  std::vector<Seed_curve>& seeds = carried.seeds;
-  std::vector<Refined_curve>& refined = carried.refined;
-  Detection_statistics statistics;
-  statistics.collapses = carried.collapses;
-
-  visitor.on_stage_begin(Detection_stage::TIGHTENING, refined.size());
-  internal::Curve_network network(pm, false);
-  std::vector<internal::Found_curve> found =
-      internal::tighten_refined<ConcurrencyTag>(network, refined, certifies, statistics, [&visitor](std::size_t i) {
-        visitor.on_step(Detection_stage::TIGHTENING, i);
-      });
   const internal::Surface_sides sides(pm);
-  if(!selects_all)
-    statistics.not_selected += internal::drop_too_long<ConcurrencyTag>(network, sides, maximum_ratio, with_rims, found);
-  visitor.on_stage_end(Detection_stage::TIGHTENING);
-
-  // what certifies curves and corrects them
-  const auto certify = [&](std::vector<internal::Found_curve>& curves, const auto& on_step) {
-    typedef std::decay_t<decltype(vpm)> Vertex_point_map;
-    // other numbers than the built-in ones may share what they are made of
-    typedef std::decay_t<decltype(get(vpm, imported.vertex(0)).x())> Coordinate;
-    typedef std::conditional_t<std::is_arithmetic<Coordinate>::value, ConcurrencyTag, Sequential_tag> Certification_tag;
-    if(certifies)
-      internal::certify_found<Certification_tag>(
-          network, [&] { return internal::Exact_settler<TriangleMesh, Vertex_point_map>(pm, imported, vpm); },
-          imported.unit(), !certified_only, refined, curves, statistics, on_step);
-  };
-  visitor.on_stage_begin(Detection_stage::CERTIFICATION, certifies ? found.size() : 0);
-  certify(found, [&visitor](std::size_t i) { visitor.on_step(Detection_stage::CERTIFICATION, i); });
-  visitor.on_stage_end(Detection_stage::CERTIFICATION);
-
-  visitor.on_stage_begin(Detection_stage::SELECTION, found.size());
-  internal::Detected_hierarchy hierarchy(pm, levels, sides, network);
-  const std::size_t passed = hierarchy.close<ConcurrencyTag>(
-      found, refined, seeds, [&](std::vector<internal::Found_curve>& curves) { certify(curves, [](std::size_t) {}); });
-  statistics.barriers = static_cast<std::size_t>(std::count_if(
-      seeds.begin(), seeds.end(), [](const Seed_curve& seed) { return seed.origin == Seed_origin::BARRIER; }));
-  statistics.seeds = seeds.size() - statistics.barriers;
-  statistics.barriers -= passed;
-  internal::Constriction_maker<TriangleMesh> maker(imported, pm, sides);
-  std::vector<Constriction<TriangleMesh>> constrictions, selected;
-  std::vector<std::vector<internal::Trace_point>> traces;
-  for(const internal::Found_curve& f : found)
-  {
-    std::vector<Seed_curve> its_seeds;
-    for(std::size_t i : network.curve(f.curve).seeds)
-      for(std::size_t s : refined[i].seeds)
-        its_seeds.push_back(seeds[s]);
-    statistics.merged += its_seeds.size() - 1;
-    constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width, f.certificate));
-    traces.push_back(internal::accurate_trace(pm, internal::arcs_of_curve(network, f.curve)));
-  }
-  internal::set_prominences(pm, sides, imported, traces, hierarchy.entries(found), constrictions);
-  select_by_prominence_checked(constrictions, std::back_inserter(selected), np);
-  statistics.not_selected += constrictions.size() - selected.size();
-  visitor.on_stage_end(Detection_stage::SELECTION);
-
-  visitor.on_end(statistics);
-  return std::move(selected.begin(), selected.end(), out);
+  Detection_statistics statistics;
+  const std::vector<Constriction<TriangleMesh>> constrictions = internal::constrictions_of_seeds<ConcurrencyTag>(
+      imported, pm, levels, sides, vpm, carried, np, visitor, statistics);
+  return internal::write_selected(constrictions, out, np, visitor, statistics);
 }
 
 } // namespace internal

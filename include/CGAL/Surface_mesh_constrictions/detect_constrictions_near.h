@@ -4,43 +4,28 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
-#include <CGAL/Surface_mesh_constrictions/Local_boundary_seeds.h>
-#include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>
-#include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/Query_location.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/Prepared_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/constrictions_near.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/given_location.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify/policies_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/reordered.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
-#include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <iterator>
-#include <limits>
-#include <numeric>
+#include <tuple>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Forwards to a detection visitor all but the statistics, which it keeps.
-template <class Visitor>
-struct Statistics_keeper
-{
-  const Visitor& visitor;
-  Detection_statistics& statistics;
-
-  void on_stage_begin(Detection_stage stage, std::size_t steps) const { visitor.on_stage_begin(stage, steps); }
-  void on_step(Detection_stage stage, std::size_t done) const { visitor.on_step(stage, done); }
-  void on_stage_end(Detection_stage stage) const { visitor.on_stage_end(stage); }
-  void on_end(const Detection_statistics& s) const { statistics = s; }
-};
+struct Detection_near_parameters
+  : Near_parameters::With<internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::get_cost_policy_t,
+                          internal_np::get_placement_policy_t, internal_np::simplification_policies_t>
+{};
 
 // What `detect_constrictions_near()` does with arguments of the right kind.
 template <class ConcurrencyTag, class TriangleMesh, class Point, class OutputIterator, class NamedParameters>
@@ -50,14 +35,18 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// finds the constrictions near a location: "the loop around this arm".
+/// finds the constrictions around a location: "the loop around this arm".
 ///
-/// It is `detect_constrictions()` with other seeds: the loops of `Local_cut_locus_seeds` at the vertex of `tm` that is
-/// nearest to `location`; and, on a mesh with holes, the boundaries of the three nearest holes, `Local_boundary_seeds`.
-/// The constrictions that the seeds lead to are written in ascending order of \f$d (1 + d/L) + L/10\f$, where \f$L\f$
-/// is the length of the curve and \f$d\f$ its distance in space from the location, less the width of its flat band. So
-/// the nearest comes first; of two that are about as near the shorter one; and late one whose distance is several times
-/// its length.
+/// The seeds are the loops of `Local_cut_locus_seeds` at the vertex of `tm` that is nearest to `location`; and, on a mesh
+/// with holes, the boundaries of the three nearest holes, `Local_boundary_seeds`. Of the constrictions that they lead to
+/// those are written that are around the location, so that where nothing is narrow there are none: those that pass it, at
+/// a distance of at most a twentieth of their length; those that are no longer than 1.5 times the girth at the location,
+/// as the level of 1000 vertices tells it, and no further away than their length; and, where no loop holds at the
+/// location, those that cut it off, on the side of lesser area. Of two that cross the nearer one is written.
+///
+/// They are written in ascending order of \f$d (1 + d/L) + L/10\f$, where \f$L\f$ is the length of the curve and
+/// \f$d\f$ its distance in space from the location, less the width of its flat band. So the nearest comes first; of two
+/// that are about as near the shorter one; and late one whose distance is several times its length.
 ///
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm: `Sequential_tag`, `Parallel_tag` or
 ///         `Parallel_if_available_tag`. The output is the same.
@@ -69,11 +58,11 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
 /// \param tm a triangle mesh, as for `detect_constrictions()`
 /// \param location a point on the surface or near it
 /// \param out the constrictions, the nearest first. The places that `Constriction::dominated_by()` and
-///        `Constriction::crosses()` name are those in this sequence. Prominences are measured among the constrictions
-///        that these seeds lead to.
+///        `Constriction::crosses()` name are those in this sequence; a constriction slides to one that is not in it, too,
+///        and then has no dominating one.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
-///        `detect_constrictions()` but for `seed_sources`, `seed_detection` and `first_constriction_only`, with these
-///        differences:
+///        `detect_constrictions()` but for `seed_sources`, `seed_detection`, `tightening_schedule` and
+///        `first_constriction_only`; of the simplification policies one can be given. There are these differences:
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_prominence}
@@ -92,13 +81,19 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{all_constrictions}
+///     \cgalParamDescription{whether to write every constriction that the seeds lead to, around the location or not}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the output iterator, past the last constriction
 /// \throws Invalid_input as `detect_constrictions()`, and for a location with a coordinate that is not a finite number
 /// \throws exceptions of the visitor; then nothing has been written
-/// \cost that of `detect_constrictions()` with the seeds of 64 roots: hardly more than that of the simplification
+/// \cost hardly more than that of the simplification, O(n log n) for n faces; see `Constriction_query` for many locations
 ///
+/// \sa `Constriction_query`
 /// \sa `detect_constrictions()`
 /// \sa `Local_cut_locus_seeds`
 /// \sa `Local_boundary_seeds`
@@ -124,43 +119,17 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
   using CGAL::parameters::get_parameter;
   const auto vpm =
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
+  const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Detection_visitor_base());
-  const std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
-  const std::size_t maximum_number =
-      choose_parameter(get_parameter(np, internal_np::maximum_number_of_constrictions), no_limit);
-  const double minimum_prominence = choose_parameter(get_parameter(np, internal_np::minimum_prominence), 0.0);
-  const double minimum_isolation = choose_parameter(get_parameter(np, internal_np::minimum_isolation), 0.0);
+  const auto policies = policies_asked_for(np);
+  static_assert(std::tuple_size<std::decay_t<decltype(policies)>>::value == 1,
+                "near a location, give one of the simplification policies");
 
-  const internal::Query_location<TriangleMesh, std::decay_t<decltype(vpm)>> query(tm, vpm, location);
-  const Index nearest = query.nearest_vertex();
-  typedef internal::Statistics_keeper<std::decay_t<decltype(visitor)>> Keeper;
-  Detection_statistics statistics;
-  const Named_function_parameters<Keeper, internal_np::visitor_t, NamedParameters> kept(Keeper{visitor, statistics},
-                                                                                        np);
-  const auto selection = parameters::minimum_prominence(
-      minimum_prominence,
-      parameters::minimum_isolation(minimum_isolation, parameters::maximum_number_of_constrictions(no_limit, kept)));
-  std::vector<Constriction<TriangleMesh>> found;
-  detect_constrictions_checked<ConcurrencyTag>(
-      tm, std::back_inserter(found),
-      parameters::seed_sources(Seed_sources(Local_cut_locus_seeds(nearest), Local_boundary_seeds(nearest)),
-                               parameters::first_constriction_only(false, selection)));
-
-  std::vector<double> nearness;
-  for(const Constriction<TriangleMesh>& c : found)
-  {
-    const double distance = (std::max)(0.0, query.distance(c) - c.flat_band_width());
-    nearness.push_back(distance * (1 + distance / c.length()) + c.length() / 10);
-  }
-  std::vector<std::size_t> order(found.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&nearness](std::size_t i, std::size_t j) { return nearness[i] < nearness[j]; });
-  const std::vector<Constriction<TriangleMesh>> result = internal::reordered(found, order, maximum_number);
-
-  statistics.not_selected += found.size() - result.size();
-  visitor.on_end(statistics);
-  return std::copy(result.begin(), result.end(), out);
+  Prepared_surface<TriangleMesh, std::decay_t<decltype(vpm)>> prepared(tm, vpm, vim);
+  given_point(prepared.imported(), location);
+  prepared.template simplify<ConcurrencyTag>(std::get<0>(policies), blocks_asked_for<NamedParameters>(), false, visitor,
+                                             append_collapses);
+  return write_constrictions_near<ConcurrencyTag>(prepared, location, out, np);
 }
 
 } // namespace internal

@@ -2,38 +2,26 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_GEODESIC_LOOPS_AT_LOCATION_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_GEODESIC_LOOPS_AT_LOCATION_H
 
-#include <CGAL/Surface_mesh_constrictions/Certificate.h>
-#include <CGAL/Surface_mesh_constrictions/Constriction.h>
+#include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
-#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
-#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
-#include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/Geodesic_loop_maker.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/given_location.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/held_loops.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/Prepared_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/loops_at_location.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify/simplify.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/insert_point.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <cstddef>
-#include <optional>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
-
-// A loop with a smaller angle at the location runs to something, around it, and back by nearly the same way.
-constexpr double least_loop_angle = CGAL_PI / 4;
 
 struct Geodesic_loop_parameters : Mesh_parameters::With<internal_np::certify_t, internal_np::maximum_number_of_loops_t,
                                                         internal_np::minimum_loop_angle_t>
@@ -56,7 +44,9 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 /// locus, which are saddles of the distance. The function looks for these saddles with shortest paths along edges. To
 /// each saddle belongs the loop of edges through it, and a persistence: how much further than the saddle the lesser of
 /// the two parts reaches that meet there. The 4096 loops of greatest persistence, among them all of a greedy homotopy
-/// basis \cgalCite{ew_gohhg_05}, are tightened with the location held.
+/// basis \cgalCite{ew_gohhg_05}, are tightened with the location held. On a mesh of more than 16384
+/// vertices loops are looked for on levels of its simplification; those that are tight there are led to the mesh, and
+/// tightened again.
 ///
 /// The answer is the shortest of the simple geodesic loops that result and are not folded: their angle at the location
 /// is at least `minimum_loop_angle`. A loop that shrinks to the location while it is held is dropped, and so is one
@@ -122,6 +112,7 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 ///       through until it meets the way of another loop; plus, for each loop that is written, the cost of
 ///       `tighten_closed_curve()`
 ///
+/// \sa `Constriction_query`
 /// \sa `detect_constrictions_near()`
 /// \sa `tighten_closed_curve()`
 template <class TriangleMesh, class Location, class OutputIterator,
@@ -154,25 +145,13 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
   const double minimum_angle =
       choose_parameter(get_parameter(np, internal_np::minimum_loop_angle), internal::least_loop_angle);
 
-  Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
-  imported.rescale();
-  const Surface_location at = without_tiny_coordinates(given_location(imported, vim, location));
-  Surface_with_point inserted = insert_point(imported.table, imported.points, at);
-  const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
-  std::optional<Progressive_mesh> changed;
-  if(inserted.is_changed)
-    changed.emplace(std::move(inserted.table), std::move(inserted.points));
-
-  std::vector<std::vector<Arc>> loops = held_loops(changed ? *changed : pm, inserted.vertex, minimum_angle);
-  if(loops.size() > maximum_number)
-    loops.resize(maximum_number);
-  if(loops.empty())
-    return out;
-  Geodesic_loop_maker<TriangleMesh, std::decay_t<decltype(vpm)>> maker(imported, pm, changed ? *changed : pm, inserted,
-                                                                       at, vpm, certifies);
-  for(const std::vector<Arc>& loop : loops)
-    *out++ = maker.make(loop);
-  return out;
+  Prepared_surface<TriangleMesh, std::decay_t<decltype(vpm)>> prepared(tm, vpm, vim);
+  if(prepared.is_searched_on_level())
+    prepared.template simplify<Sequential_tag>(Garland_heckbert_policies(), Block_simplification(), false,
+                                               Detection_visitor_base(), append_collapses);
+  else
+    prepared.hold_no_levels();
+  return write_loops_at_location(prepared, location, maximum_number, minimum_angle, certifies, out);
 }
 
 } // namespace internal

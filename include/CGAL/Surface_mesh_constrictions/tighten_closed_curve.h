@@ -2,24 +2,18 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_TIGHTEN_CLOSED_CURVE_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_TIGHTEN_CLOSED_CURVE_H
 
-#include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
-#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Tightened_curve.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/Closed_path_tightener.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/Prepared_surface.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/tighten_loops.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/check_loop.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <cstddef>
 #include <iterator>
 #include <type_traits>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -106,25 +100,9 @@ OutputIterator tighten_closed_curves_checked(const TriangleMesh& tm, const LoopR
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
 
-  internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
-  imported.rescale();
-  const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
-  std::unordered_map<std::size_t, Index> index;
-  for(Index v = 0; v < imported.number_of_vertices(); ++v)
-    index.emplace(get(vim, imported.vertex(v)), v);
-
-  internal::Closed_path_tightener<TriangleMesh, std::decay_t<decltype(vpm)>> tightener(imported, pm, vpm, certifies);
-  std::size_t number = 0;
-  for(const auto& loop : loops)
-  {
-    std::vector<Index> path;
-    for(const auto& v : loop)
-      path.push_back(index.at(get(vim, v)));
-    internal::check_loop(pm, path, number);
-    *out++ = tightener.tighten(std::move(path));
-    ++number;
-  }
-  return out;
+  Prepared_surface<TriangleMesh, std::decay_t<decltype(vpm)>> prepared(tm, vpm, vim);
+  prepared.hold_no_levels();
+  return tighten_loops(prepared, loops, certifies, out);
 }
 
 } // namespace internal

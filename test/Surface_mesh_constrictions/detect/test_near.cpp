@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -258,6 +259,47 @@ TEST(Near, IsolatedVerticesAreNotNear)
   const std::vector<Constriction> curves = near(mesh, location);
   ASSERT_EQ(curves.size(), 1u);
   EXPECT_NEAR(curves[0].length(), 4, 1e-12);
+}
+
+// A neck of radius 0.7 at the height 1.5, and a horn that tapers from radius 1 at the height 3 to a tip.
+test_meshes::Soup horn()
+{
+  std::vector<std::array<double, 2>> profile;
+  for(int i = 0; i <= 30; ++i)
+    profile.push_back({{0.85 + 0.15 * std::cos(2 * CGAL_PI * i / 30), 0.1 * i}});
+  for(int i = 1; i <= 25; ++i)
+    profile.push_back({{1 - 0.032 * i, 3 + 0.1 * i}});
+  return test_meshes::revolution_of_profile(profile, -0.2, 5.7, 24, 0.002, 1);
+}
+
+// The loop around the horn slides off it. What loops that pass there lead to is the neck, which is no further away than
+// it is long, but more than 1.5 times as long as the girth.
+TEST(Near, WhereNothingIsNarrowThereIsNone)
+{
+  const Mesh mesh = test_meshes::make_mesh(horn());
+  for(double height : {4.8, 5.0, 5.2})
+  {
+    SCOPED_TRACE(height);
+    const Point location(1 - 0.32 * (height - 3), 0, height);
+    SMC::Detection_statistics s;
+    EXPECT_TRUE(near(mesh, location, CGAL::parameters::visitor(Statistics_taker(s))).empty());
+    EXPECT_GT(s.not_selected, 0u);
+    const std::vector<Constriction> all = near(mesh, location, params::all_constrictions(true));
+    ASSERT_FALSE(all.empty());
+    EXPECT_NEAR(all[0].length(), 2 * CGAL_PI * 0.7, 0.1);
+  }
+  const std::vector<Constriction> at_its_root = near(mesh, Point(0.93, 0, 3.2));
+  ASSERT_EQ(at_its_root.size(), 1u);
+  EXPECT_NEAR(at_its_root[0].length(), 2 * CGAL_PI * 0.7, 0.1);
+}
+
+// No loop holds at a blunt tip. The neck that cuts it off is the answer, those behind it are not.
+TEST(Near, AtABluntTipTheNeckThatCutsItOffComesFirst)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::chain_of_necks(0.005, 1));
+  const std::vector<Constriction> curves = near(mesh, Point(0, 0, -0.3));
+  ASSERT_FALSE(curves.empty());
+  EXPECT_NEAR(center(mesh, curves[0]).z(), 2, 0.1);
 }
 
 TEST(Near, AConvexPolyhedronHasNoConstriction)

@@ -10,9 +10,8 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominence/Paths_to_input.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Level_copy.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Paths_to_finer_level.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Surface_cycles.h>
 
 #include <CGAL/Polygon_mesh_processing/repair.h>
@@ -61,8 +60,7 @@ TEST(PathsToInput, KeepTheirHomologyClassAndAreJoinedByEdges)
     const SMC::internal::Level_copy level(pm);
     pm.go_to_level(0);
     const SMC::internal::Surface_cycles cycles(pm);
-    const SMC::internal::Edge_lengths lengths(pm);
-    SMC::internal::Paths_to_input to_input(pm, lengths);
+    SMC::internal::Paths_to_finer_level to_input(pm);
     std::size_t essential = 0;
     for(int i = 0; i < 50; ++i)
     {

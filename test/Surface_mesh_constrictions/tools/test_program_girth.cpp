@@ -155,6 +155,75 @@ TEST_F(Girth, where_all_are_folded_it_says_so)
   EXPECT_NE(run(hand + " --min-angle 0").out.find("\n1 loop\n"), std::string::npos);
 }
 
+// As at each place alone; the CSV file has a column for the places.
+TEST_F(Girth, at_many_places)
+{
+  write("landmarks.csv", "name,x,y,z\n# a comment\n\"tube, left\",4.25,1.5,1\r\n\n 4.5 , 1.5 , 1\ncorner,0,0,0\n");
+  const Result bad_name = run("girth dumbbell.off --landmarks landmarks.csv --json -");
+  EXPECT_EQ(bad_name.exit_code, 1) << bad_name.err; // a comma in a name makes five fields
+  write("landmarks.csv", "name,x,y,z\n# a comment\ntube,4.25,1.5,1\r\n\n 4.5 , 1.5 , 1\ncorner,0,0,0\n");
+  const json found = girth("dumbbell.off --landmarks landmarks.csv");
+  const json& places = found["landmarks"];
+  ASSERT_EQ(places.size(), 3u);
+  EXPECT_EQ(places[0]["name"], "tube");
+  EXPECT_EQ(places[1]["name"], "");
+  EXPECT_EQ(places[1]["location"], json({4.5, 1.5, 1}));
+  for(std::size_t i = 0; i < 2; ++i)
+  {
+    ASSERT_EQ(places[i]["constrictions"], json({i}));
+    const json alone = girth(std::string("dumbbell.off --at ") + (i == 0 ? "4.25" : "4.5") + ",1.5,1");
+    json expected = alone["constrictions"][0];
+    expected["id"] = i;
+    EXPECT_EQ(found["constrictions"][i], expected);
+    EXPECT_EQ(places[i]["hint"], "");
+  }
+  EXPECT_EQ(places[2]["constrictions"].empty(), places[2]["hint"] != "");
+
+  const Result csv = run("girth dumbbell.off --landmarks landmarks.csv --csv -");
+  EXPECT_NE(csv.out.find(",landmark\n"), std::string::npos) << csv.out;
+  EXPECT_NE(csv.out.find(",tube\n"), std::string::npos) << csv.out;
+  EXPECT_NE(run("girth dumbbell.off --landmarks landmarks.csv").out.find("landmark tube: 0\nlandmark 1: 1\n"),
+            std::string::npos);
+
+  const json near = json::parse(run("detect dumbbell.off --landmarks landmarks.csv --json -").out);
+  ASSERT_EQ(near["landmarks"].size(), 3u);
+  EXPECT_EQ(near["landmarks"][0]["constrictions"], json({0}));
+  EXPECT_NEAR(near["constrictions"][0]["length"], 4, 1e-12);
+
+  write("none.csv", "x,y,z\n");
+  EXPECT_EQ(run("girth dumbbell.off --landmarks none.csv").exit_code, 1);
+  write("wrong.csv", "1,2,3\n1,2\n");
+  const Result wrong = run("girth dumbbell.off --landmarks wrong.csv");
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_NE(wrong.err.find("line 2"), std::string::npos) << wrong.err;
+  EXPECT_EQ(run("girth dumbbell.off --landmarks landmarks.csv --at 1,2,3").exit_code, 2);
+}
+
+TEST_F(Girth, loops_through_places)
+{
+  write("places.txt", "# around the tube\n4.2,1,1.5 4,1.5,1 3.8,2,1.5 4,1.5,2\n");
+  const json found = json::parse(run("tighten dumbbell.off --through places.txt --json -").out);
+  ASSERT_EQ(found["held_loops"].size(), 1u);
+  const json& held = found["held_loops"][0];
+  EXPECT_EQ(held["line"], 2);
+  EXPECT_GT(held["length"], 4);
+  EXPECT_NEAR(length(held["points"]), held["length"], 1e-12);
+  EXPECT_EQ(held["held"].size(), 4u);
+  EXPECT_TRUE(held["simple"]);
+  EXPECT_EQ(held["let_go"], "constriction");
+  ASSERT_EQ(held["constriction"], 0);
+  EXPECT_NEAR(found["constrictions"][0]["length"], 4, 1e-12);
+
+  write("few.txt", "4,1,1 4.2,1,1.5\n");
+  const Result few = run("tighten dumbbell.off --through few.txt");
+  EXPECT_EQ(few.exit_code, 1);
+  EXPECT_NE(few.err.find("line 1: a loop goes through at least 3 locations; given are 2"), std::string::npos)
+      << few.err;
+  write("wrong.txt", "4,1,1 x 3\n");
+  EXPECT_EQ(run("tighten dumbbell.off --through wrong.txt").exit_code, 1);
+  EXPECT_EQ(run("tighten dumbbell.off --through places.txt --loops places.txt").exit_code, 2);
+}
+
 TEST_F(Girth, wrong_usage)
 {
   for(const char* arguments : {"girth dumbbell.off", "girth dumbbell.off --at 1,2", "girth dumbbell.off --at 1,2,nan",

@@ -72,16 +72,30 @@ protected:
       labels += f % 5 == 0 ? "2\n" : "1\n";
     write("labels.txt", labels);
     write("sides.txt", "1\n1\n-2\n-2\n");
+    write("landmarks.csv", "name,x,y,z\ntube,4.2,1.5,1\ncorner,0,0,0\n");
+    write("places.txt", "4.2,1,1.5 4.2,2,1.5 4.2,1.5,2\n0,0,0 1,0,0.5 0,1,0.5\n");
 
-    for(const char* arguments :
-        {"detect dumbbell.off --json -", "detect dumbbell.off --all --no-certify --json -",
-         "detect tetrahedron.off --json -", "detect tube.off --rims --json -", "detect twice.off --json -",
-         "detect dumbbell.off --near 4,1.5,1.5 --json -", "girth dumbbell.off --at 4.2,1.5,1 --json -",
-         "girth dumbbell.off --at 4,1,1 --json -", "girth tube.off --at 0,0,0.5 --json -",
-         "girth tetrahedron.off --at 1,0,0 --json -", "tighten dumbbell.off --loops loops.txt --json -",
-         "tighten dumbbell.off --labels labels.txt --json -", "tighten tube.off --labels sides.txt --json -",
-         "check dumbbell.off --json -", "check tube.off --json -", "check twice.off --json -",
-         "check nothing.off --json -", "batch dumbbell.off nothing.off missing.off"})
+    for(const char* arguments : {"detect dumbbell.off --json -",
+                                 "detect dumbbell.off --all --no-certify --json -",
+                                 "detect tetrahedron.off --json -",
+                                 "detect tube.off --rims --json -",
+                                 "detect twice.off --json -",
+                                 "detect dumbbell.off --near 4,1.5,1.5 --json -",
+                                 "girth dumbbell.off --at 4.2,1.5,1 --json -",
+                                 "girth dumbbell.off --at 4,1,1 --json -",
+                                 "girth tube.off --at 0,0,0.5 --json -",
+                                 "girth tetrahedron.off --at 1,0,0 --json -",
+                                 "tighten dumbbell.off --loops loops.txt --json -",
+                                 "girth dumbbell.off --landmarks landmarks.csv --json -",
+                                 "detect dumbbell.off --landmarks landmarks.csv --json -",
+                                 "tighten dumbbell.off --through places.txt --json -",
+                                 "tighten dumbbell.off --labels labels.txt --json -",
+                                 "tighten tube.off --labels sides.txt --json -",
+                                 "check dumbbell.off --json -",
+                                 "check tube.off --json -",
+                                 "check twice.off --json -",
+                                 "check nothing.off --json -",
+                                 "batch dumbbell.off nothing.off missing.off"})
       take_printed(arguments);
     for(const char* name : {"cactus.off", "eight.off", "homer.off"})
       take_printed("detect '" + meshes + name + "' --json -");
@@ -137,7 +151,8 @@ TEST_F(Schemas, are_understood_by_jsonschema)
                        "validator.check_schema(schema)\n"
                        "for value in json.load(open(sys.argv[2])):\n"
                        "    validator(schema).validate(value)\n"
-                       "    optional = ['file_bytes', 'borders', 'label_parts', 'face_labels']\n"
+                       "    optional = ['file_bytes', 'borders', 'label_parts', 'face_labels', 'landmarks',\n"
+                       "                'held_loops']\n"
                        "    for name in [name for name in value if name not in optional]:\n"
                        "        less = {k: v for k, v in value.items() if k != name}\n"
                        "        assert not validator(schema).is_valid(less), name\n");

@@ -6,6 +6,7 @@
 #include "compute/stage_monitor.h"
 #include "input/curves_file.h"
 #include "input/labels_file.h"
+#include "input/landmarks_file.h"
 #include "input/loops_file.h"
 #include "options.h"
 #include "output/certificates.h"
@@ -40,6 +41,33 @@ void tighten_loops(const Loops& loops, bool certifies, Stage_monitor& monitor, R
 /// tightens the borders between labels, of which there is one for each face of the file; fills the labelling, the
 /// constrictions and the statistics of the report.
 void tighten_labels(const std::vector<Label>& labels, bool certifies, Stage_monitor& monitor, Report& report);
+
+/// tightens loops through places of the user; fills the loops, the constrictions, the statistics and the remarks of the
+/// report. Throws `Input_file_error`, with the line of the file, for places that cannot be used.
+void tighten_through_places(const std::string& file, const Place_loops& loops, bool certifies, Stage_monitor& monitor,
+                            Report& report);
+
+/// \name Many Places
+/// The mesh is prepared once. Both fill the answers, the curves and the statistics of the report.
+/// @{
+
+/// finds the constrictions near each landmark.
+void detect_near_landmarks(const std::vector<Landmark>& landmarks, const Selection& selection, bool certifies,
+                           Stage_monitor& monitor, Report& report);
+
+/// finds the shortest loops at each landmark.
+void find_girths(const std::vector<Landmark>& landmarks, const Girth& girth, bool certifies, Stage_monitor& monitor,
+                 Report& report);
+/// @}
+
+/// appends loops that are held at a place to the curves of the report.
+void add_loops(const std::vector<Geodesic_loop>& loops, bool certifies, Report& report);
+
+/// why there is no loop at a place: whether some are that are folded more than asked
+std::string girth_hint(bool has_folded);
+
+/// why no constriction is near a place
+std::string near_hint(std::size_t not_selected);
 
 /// finds the shortest loops at a place; fills the loops, the curves and the statistics of the report.
 void find_girth(const Girth& girth, bool certifies, Stage_monitor& monitor, Report& report);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <vector>
 
 namespace constrictions {
@@ -65,30 +66,40 @@ Constriction as_curve(const Mesh& mesh, const Geodesic_loop& loop, bool certifie
 
 } // namespace
 
+void add_loops(const std::vector<Geodesic_loop>& loops, bool certifies, Report& report)
+{
+  for(const Geodesic_loop& loop : loops)
+  {
+    report.loops.push_back(loop);
+    report.constrictions.push_back(as_curve(report.mesh, loop, certifies));
+    report.statistics.signs = report.statistics.signs + loop.let_go.certificate().signs;
+  }
+}
+
+std::string girth_hint(bool has_folded)
+{
+  return has_folded ? "The closed curves through this place that hold are folded there: their angles are less than "
+                      "--min-angle. With --min-angle 0 the shortest one is reported."
+                    : "No closed curve through this place holds: there is no handle, and no limb that is steep enough.";
+}
+
 void find_girth(const Girth& girth, bool certifies, Stage_monitor& monitor, Report& report)
 {
   report.is_girth = true;
   monitor.begin(SMC::Detection_stage::TIGHTENING, 1);
-  const std::array<double, 3>& at = girth.location;
+  const std::array<double, 3>& at = *girth.location;
   const Mesh::Point place(at[0], at[1], at[2]);
-  SMC::geodesic_loops_at_location(report.mesh, place, std::back_inserter(report.loops),
+  std::vector<Geodesic_loop> loops;
+  SMC::geodesic_loops_at_location(report.mesh, place, std::back_inserter(loops),
                                   SMC::parameters::maximum_number_of_loops(girth.maximum_number)
                                       .minimum_loop_angle(girth.minimum_angle)
                                       .certify(certifies));
-  for(const Geodesic_loop& loop : report.loops)
+  add_loops(loops, certifies, report);
+  if(loops.empty())
   {
-    report.constrictions.push_back(as_curve(report.mesh, loop, certifies));
-    report.statistics.signs = report.statistics.signs + loop.let_go.certificate().signs;
-  }
-  if(report.loops.empty())
-  {
-    std::vector<Geodesic_loop> folded;
-    SMC::geodesic_loops_at_location(report.mesh, place, std::back_inserter(folded),
+    SMC::geodesic_loops_at_location(report.mesh, place, std::back_inserter(loops),
                                     SMC::parameters::minimum_loop_angle(0.0).certify(false));
-    report.hint = folded.empty() ? "No closed curve through this place holds: there is no handle, and no limb that is "
-                                   "steep enough."
-                                 : "The closed curves through this place that hold are folded there: their angles are "
-                                   "less than --min-angle. With --min-angle 0 the shortest one is reported.";
+    report.hint = girth_hint(!loops.empty());
   }
   monitor.step(1);
   monitor.end(SMC::Detection_stage::TIGHTENING);

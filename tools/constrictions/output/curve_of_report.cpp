@@ -69,9 +69,11 @@ std::string verdict_on_curve(const Report& report, std::size_t id)
   return certificate_as_text(report.constrictions[id].certificate());
 }
 
-const char* end_name(const Geodesic_loop& loop)
+const char* end_name(const Geodesic_loop& loop) { return end_name(loop.verdict); }
+
+const char* end_name(Tightening_verdict verdict)
 {
-  switch(loop.verdict)
+  switch(verdict)
   {
   case Tightening_verdict::CLOSED_GEODESIC:
     return "constriction";

@@ -4,6 +4,8 @@
 
 #include "output/report.h"
 
+#include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -28,6 +30,7 @@ std::string verdict_on_curve(const Report& report, std::size_t id);
 
 /// the end of a loop that is held at a place when it is let go: constriction, point, not_simple or not_certified
 const char* end_name(const Geodesic_loop& loop);
+const char* end_name(CGAL::Surface_mesh_constrictions::Tightening_verdict verdict);
 
 /// how a loop is held, and its end when it is let go, in one line
 std::string loop_as_text(const Report& report, std::size_t id);

@@ -2,13 +2,16 @@
 #ifndef CONSTRICTIONS_REPORT_H
 #define CONSTRICTIONS_REPORT_H
 
+#include "input/landmarks_file.h"
 #include "input/mesh_file.h"
 #include "output/labelling.h"
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
+#include <CGAL/Surface_mesh_constrictions/Loop_through_locations.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +34,22 @@ struct Stage_seconds
   double total = 0;
 };
 
+/// What was found at a place of a file of landmarks.
+struct Landmark_answer
+{
+  Landmark landmark;
+  std::vector<std::size_t> curves; ///< their ids
+  std::string hint;                ///< why there is none; may be empty
+};
+
+/// A loop through places of the user, held there, and the constriction that it becomes when it is let go.
+struct Held_loop
+{
+  CGAL::Surface_mesh_constrictions::Loop_through_locations<Mesh> loop;
+  std::size_t line;                        ///< of the file, counted from 1
+  std::optional<std::size_t> constriction; ///< its id
+};
+
 /// What a run of the program has found.
 struct Report
 {
@@ -41,7 +60,9 @@ struct Report
   std::vector<Constriction> constrictions;
   std::vector<Geodesic_loop> loops; ///< of `girth`, one for each of the above; else empty
   bool is_girth = false;
-  std::optional<Labelling> labelling; ///< of `tighten` with labels
+  std::optional<Labelling> labelling;     ///< of `tighten` with labels
+  std::vector<Landmark_answer> landmarks; ///< of places in a file, in their order; else empty
+  std::vector<Held_loop> held_loops;      ///< of `tighten` through places
   CGAL::Surface_mesh_constrictions::Detection_statistics statistics;
   Stage_seconds seconds;
   std::vector<std::string> remarks; ///< lines about loops of the user that did not become constrictions

@@ -96,10 +96,21 @@ std::string report_as_csv(const Report& report)
       out += (i == 0 ? "" : ",") + std::string(text_of(line[i]));
     out += '\n';
   };
-  add_line(columns(0, Constriction(example), "", report.file.numbering),
-           [](const auto& column) { return column.first; });
+  // of places in a file each curve has its place
+  std::vector<std::string> landmarks(report.constrictions.size());
+  for(std::size_t i = 0; i < report.landmarks.size(); ++i)
+    for(std::size_t id : report.landmarks[i].curves)
+      landmarks[id] = report.landmarks[i].landmark.name.empty() ? std::to_string(i) : report.landmarks[i].landmark.name;
+  const auto line = [&](std::size_t id, const Constriction& c, const std::string& verdict,
+                        const std::string& landmark) {
+    auto result = columns(id, c, verdict, report.file.numbering);
+    if(!report.landmarks.empty())
+      result.emplace_back("landmark", field(landmark));
+    return result;
+  };
+  add_line(line(0, Constriction(example), "", ""), [](const auto& column) { return column.first; });
   for(std::size_t id = 0; id < report.constrictions.size(); ++id)
-    add_line(columns(id, report.constrictions[id], verdict_on_curve(report, id), report.file.numbering),
+    add_line(line(id, report.constrictions[id], verdict_on_curve(report, id), landmarks[id]),
              [](const auto& column) { return column.second; });
   return out;
 }

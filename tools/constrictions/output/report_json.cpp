@@ -173,6 +173,34 @@ Json border_as_json(const Report& report, std::size_t id)
           {"locations", locations_as_json(locations_of_curve(report.mesh, curve), report.mesh, report.file.numbering)}};
 }
 
+Json landmarks_as_json(const Report& report)
+{
+  Json result = Json::array();
+  for(const Landmark_answer& a : report.landmarks)
+    result.push_back(
+        {{"name", a.landmark.name}, {"location", a.landmark.location}, {"constrictions", a.curves}, {"hint", a.hint}});
+  return result;
+}
+
+Json held_loops_as_json(const Report& report)
+{
+  Json result = Json::array();
+  for(const Held_loop& h : report.held_loops)
+  {
+    std::vector<Mesh::Point> points;
+    h.loop.points(report.mesh, std::back_inserter(points));
+    result.push_back({{"line", h.line},
+                      {"length", h.loop.length},
+                      {"simple", h.loop.is_simple},
+                      {"points", points_as_json(points)},
+                      {"locations", locations_as_json(h.loop.locations, report.mesh, report.file.numbering)},
+                      {"held", h.loop.held},
+                      {"let_go", end_name(h.loop.let_go.verdict)},
+                      {"constriction", h.constriction ? Json(*h.constriction) : Json()}});
+  }
+  return result;
+}
+
 // The borders, the parts between them, and the labels of the faces of the file.
 void add_labelling(const Report& report, Json& json)
 {
@@ -227,6 +255,10 @@ std::string report_as_json(const Report& report)
                {"peak_rss_bytes", peak_rss_bytes()}};
   if(report.labelling)
     add_labelling(report, json);
+  if(!report.landmarks.empty())
+    json["landmarks"] = landmarks_as_json(report);
+  if(!report.held_loops.empty())
+    json["held_loops"] = held_loops_as_json(report);
   // a file name need not be UTF-8, JSON must be
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

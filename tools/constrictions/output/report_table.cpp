@@ -112,6 +112,23 @@ std::string table_line(const std::vector<Column>& columns, std::string Column::*
   return line + '\n';
 }
 
+// Which curves belong to which landmark, or why there is none; a line for each.
+std::string landmarks_as_text(const Report& report)
+{
+  std::ostringstream out;
+  for(std::size_t i = 0; i < report.landmarks.size(); ++i)
+  {
+    const Landmark_answer& a = report.landmarks[i];
+    out << "landmark " << (a.landmark.name.empty() ? std::to_string(i) : a.landmark.name) << ':';
+    for(std::size_t id : a.curves)
+      out << ' ' << id;
+    if(a.curves.empty())
+      out << " none. " << a.hint;
+    out << '\n';
+  }
+  return out.str();
+}
+
 } // namespace
 
 std::string report_as_table(const Report& report, bool is_verbose)
@@ -137,12 +154,12 @@ std::string report_as_table(const Report& report, bool is_verbose)
   {
     for(std::size_t id = 0; id < n; ++id)
       out << loop_as_text(report, id) << '\n';
-    out << n << (n == 1 ? " loop\n" : " loops\n");
+    out << landmarks_as_text(report) << n << (n == 1 ? " loop\n" : " loops\n");
     if(!report.hint.empty())
       out << report.hint << '\n';
     return out.str();
   }
-  out << n << (n == 1 ? " constriction" : " constrictions") << " from " << s.seeds
+  out << landmarks_as_text(report) << n << (n == 1 ? " constriction" : " constrictions") << " from " << s.seeds
       << (s.seeds == 1 ? " seed curve" : " seed curves");
   if(is_verbose)
     out << " (" << s.degenerate << " degenerate, " << s.discarded << " discarded early, " << s.not_simple

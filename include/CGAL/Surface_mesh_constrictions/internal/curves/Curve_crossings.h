@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Zeroed_array.h>
 
 #include <cstddef>
 #include <vector>
@@ -57,7 +58,6 @@ inline std::vector<Index> crossings_beside_pivots(const Progressive_mesh& pm, co
 class Curve_crossings
 {
 public:
-  // Linear in the size of the mesh.
   explicit Curve_crossings(const Progressive_mesh& pm)
     : m_pm(pm), m_edges(pm.number_of_halfedge_ids()), m_vertices(pm.number_of_vertex_ids())
   {}
@@ -102,7 +102,7 @@ private:
   class Table
   {
   public:
-    explicit Table(std::size_t size) : m_place(size, 0), m_curves(1) {}
+    explicit Table(std::size_t size) : m_place(size), m_curves(1) {}
 
     const std::vector<Index>& operator[](Index i) const { return m_curves[m_place[i]]; }
 
@@ -129,7 +129,7 @@ private:
     }
 
   private:
-    std::vector<Index> m_place; // of the curves of an element, 0 if it has none
+    Zeroed_array<Index> m_place; // of the curves of an element, 0 if it has none
     std::vector<std::vector<Index>> m_curves;
   };
 

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_crossings.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Surface_cycles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -61,14 +63,17 @@ class Surface_sides
 {
 public:
   // Linear.
-  explicit Surface_sides(const Progressive_mesh& pm) : m_pm(pm), m_cycles(pm), m_volume(pm.number_of_face_ids(), 0)
+  explicit Surface_sides(const Progressive_mesh& pm) : m_pm(pm), m_cycles(pm)
   {
-    for(Index f = 0; f < m_volume.size(); ++f)
+    Index component = null_index;
+    double* volume = nullptr;
+    for(Index f = 0; f < pm.number_of_face_ids(); ++f)
       if(pm.is_face(f))
       {
-        const Index component = m_cycles.component(f);
+        if(component != m_cycles.component(f))
+          volume = &m_volume[component = m_cycles.component(f)];
         const auto& origin = pm.point(pm.source(3 * component));
-        m_volume[component] += dot(vector(origin, pm.point(pm.source(3 * f))), normal(f));
+        *volume += dot(vector(origin, pm.point(pm.source(3 * f))), normal(pm, f));
       }
   }
 
@@ -76,16 +81,8 @@ public:
   // points and genus g.
   Parting part(const std::vector<Trace_point>& trace) const
   {
-    const std::vector<Index> path = path_on_left(trace);
-    double between = 0; // the curve and the path
-    for(std::size_t i = 0; i < trace.size(); ++i)
-    {
-      const std::size_t j = (i + 1) % trace.size();
-      const Vector3 p = position(m_pm, trace[i]), q = position(m_pm, trace[j]);
-      const Vector3 u = position(m_pm, path[i]), v = position(m_pm, path[j]);
-      between += norm(cross(q - p, v - p) + cross(v - p, u - p)) / 2;
-    }
-    return part(path, between);
+    const std::vector<Index> path = vertices_passed(m_pm, trace);
+    return part(path, area_between(m_pm, trace, path));
   }
 
   // The same for a closed path of vertices, consecutive ones adjacent or equal, or for a curve beside it on its right,
@@ -119,32 +116,63 @@ public:
     const std::vector<Trace_point> back = reversed(m_pm, trace), other_back = reversed(m_pm, other);
     for(const std::vector<Trace_point>* t : {&trace, &back})
       for(const std::vector<Trace_point>* o : {&other, &other_back})
-        sum += m_cycles.area_between(path_on_left(*t), path_on_left(*o));
+        sum += m_cycles.area_between(vertices_passed(m_pm, *t), vertices_passed(m_pm, *o));
     return sum / 4;
+  }
+
+  // The area between a curve of a surface and the vertices next to it on its left. Linear.
+  static double area_between(const Progressive_mesh& pm, const std::vector<Trace_point>& trace,
+                             const std::vector<Index>& path)
+  {
+    double sum = 0;
+    for(std::size_t i = 0; i < trace.size(); ++i)
+    {
+      const std::size_t j = (i + 1) % trace.size();
+      const Vector3 p = position(pm, trace[i]), q = position(pm, trace[j]);
+      const Vector3 u = position(pm, path[i]), v = position(pm, path[j]);
+      sum += norm(cross(q - p, v - p) + cross(v - p, u - p)) / 2;
+    }
+    return sum;
+  }
+
+  // Whether a curve that separates has a face on the side of the lesser area, up to the faces that it crosses. Linear.
+  bool is_on_lesser_side(const std::vector<Trace_point>& trace, const Parting& parting, Index face) const
+  {
+    const std::vector<Index> path = vertices_passed(m_pm, trace);
+    return m_cycles.is_on_left(path, face) == (parting.areas[0] <= parting.areas[1]);
   }
 
   // The genera of the parts on the left and on the right of a geodesic; if it does not separate, both that of its
   // component cut along it. Linear in the points and the degrees of the pivots.
   std::array<std::size_t, 2> genera(const std::vector<Trace_point>& trace, bool is_separating) const
   {
+    return genera_beside(crossings_beside_pivots(m_pm, trace), is_separating);
+  }
+
+  // The same for a curve that passes no vertex, of which these are the crossed halfedges.
+  std::array<std::size_t, 2> genera_beside(const std::vector<Index>& crossings, bool is_separating) const
+  {
     if(is_separating)
-      return m_cycles.genera(crossings_beside_pivots(m_pm, trace));
-    const std::size_t genus = m_cycles.genus_of_component(some_face(trace)) - 1;
+      return m_cycles.genera(crossings);
+    const std::size_t genus = m_cycles.genus_of_component(m_pm.face(crossings.front())) - 1;
     return {{genus, genus}};
   }
 
   // Which side of the surface a geodesic chokes: where its curvature vector points into the solid, the object. At least
   // three quarters of its turning must point to one side. The length of the curve would be a bad weight: where it
   // crosses almost flat edges, noise alone decides to which side it bends. Linear.
-  Side choked_side(const std::vector<Trace_point>& trace) const
+  Side choked_side(const std::vector<Trace_point>& trace) const { return choked_side(m_pm, trace, some_face(trace)); }
+
+  // The same for a curve of the surface `with`, which is this one with vertices more; `face` is one of its component.
+  Side choked_side(const Progressive_mesh& with, const std::vector<Trace_point>& trace, Index face) const
   {
-    const double outward = m_volume[m_cycles.component(some_face(trace))] >= 0 ? 1 : -1; // the sign of the normals
+    const double outward = m_volume.at(m_cycles.component(face)) >= 0 ? 1 : -1; // the sign of the normals
     double inwards = 0, outwards = 0;
     const std::size_t n = trace.size();
     for(std::size_t i = 0; i < n; ++i)
     {
-      const Vector3 p = position(m_pm, trace[i]), m = normal(trace[i]);
-      const Vector3 a = p - position(m_pm, trace[(i + n - 1) % n]), b = position(m_pm, trace[(i + 1) % n]) - p;
+      const Vector3 p = position(with, trace[i]), m = normal(with, trace[i]);
+      const Vector3 a = p - position(with, trace[(i + n - 1) % n]), b = position(with, trace[(i + 1) % n]) - p;
       const double la = norm(a), lb = norm(b), lm = norm(m);
       if(la == 0 || lb == 0 || lm == 0)
         continue;
@@ -156,47 +184,38 @@ public:
   }
 
 private:
-  // The vertices next to a curve on its left.
-  std::vector<Index> path_on_left(const std::vector<Trace_point>& trace) const
-  {
-    std::vector<Index> path;
-    for(const Trace_point& p : trace)
-      path.push_back(p.is_pivot() ? p.pivot : m_pm.target(p.halfedge));
-    return path;
-  }
-
   // Twice the area long.
-  Vector3 normal(Index f) const
+  static Vector3 normal(const Progressive_mesh& pm, Index f)
   {
-    const auto& p = m_pm.point(m_pm.source(3 * f));
-    return cross(vector(p, m_pm.point(m_pm.source(3 * f + 1))), vector(p, m_pm.point(m_pm.source(3 * f + 2))));
+    const auto& p = pm.point(pm.source(3 * f));
+    return cross(vector(p, pm.point(pm.source(3 * f + 1))), vector(p, pm.point(pm.source(3 * f + 2))));
   }
 
-  Vector3 normal(const Trace_point& p) const
+  static Vector3 normal(const Progressive_mesh& pm, const Trace_point& p)
   {
     Vector3 sum = {0, 0, 0};
     const auto add = [&](Index f) {
-      if(m_pm.is_ghost_face(f))
+      if(pm.is_ghost_face(f))
         return;
-      const Vector3 n = normal(f);
+      const Vector3 n = normal(pm, f);
       const double l = norm(n);
       if(l > 0)
         sum = sum + (1 / l) * n;
     };
     if(p.is_pivot())
     {
-      const Index begin = m_pm.outgoing(p.pivot);
+      const Index begin = pm.outgoing(p.pivot);
       Index h = begin;
       do
       {
-        add(m_pm.face(h));
-        h = m_pm.ccw(h);
+        add(pm.face(h));
+        h = pm.ccw(h);
       } while(h != begin);
     }
     else
     {
-      add(m_pm.face(p.halfedge));
-      add(m_pm.face(m_pm.opposite(p.halfedge)));
+      add(pm.face(p.halfedge));
+      add(pm.face(pm.opposite(p.halfedge)));
     }
     return sum;
   }
@@ -208,7 +227,7 @@ private:
 
   const Progressive_mesh& m_pm;
   Surface_cycles m_cycles;
-  std::vector<double> m_volume; // six times that of a component, by the face that stands for it
+  std::unordered_map<Index, double> m_volume; // six times that of a component, by the face that stands for it
 };
 
 } // namespace internal

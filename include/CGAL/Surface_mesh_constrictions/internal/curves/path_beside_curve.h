@@ -33,13 +33,21 @@ inline std::vector<Index> path_inside(const Progressive_mesh& pm, const Strip& s
   return path;
 }
 
-// The closed path of edges beside a closed curve: each crossing is moved to the nearer end of its edge. Fewer than
-// three vertices if the path shrinks to a point or an edge forth and back. Linear.
-inline std::vector<Index> path_beside_curve(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
+// The vertices beside a curve: its pivots, and of each edge that it crosses the nearer end; each adjacent or equal to
+// the next. Linear.
+inline std::vector<Index> vertices_beside(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
 {
   std::vector<Index> path;
   for(const Trace_point& p : trace)
     path.push_back(p.is_pivot() ? p.pivot : p.parameter < 0.5 ? pm.source(p.halfedge) : pm.target(p.halfedge));
+  return path;
+}
+
+// The closed path of edges beside a closed curve: each crossing is moved to the nearer end of its edge. Fewer than
+// three vertices if the path shrinks to a point or an edge forth and back. Linear.
+inline std::vector<Index> path_beside_curve(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
+{
+  std::vector<Index> path = vertices_beside(pm, trace);
   remove_spurs(path);
   return path;
 }

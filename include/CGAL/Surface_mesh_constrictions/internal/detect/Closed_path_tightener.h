@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Tightened_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
@@ -47,18 +48,33 @@ template <class TriangleMesh, class VertexPointMap>
 class Closed_path_tightener
 {
 public:
-  // `pm` has been made of `imported`. Linear in its size.
+  // `pm` has been made of `imported`; `unit` and `sides` are those of `pm`.
   Closed_path_tightener(const Imported_mesh<TriangleMesh>& imported, const Progressive_mesh& pm, VertexPointMap vpm,
-                        bool certifies)
-    : m_unit(imported.unit()), m_certifies(certifies), m_network(pm, false), m_angles(pm), m_length_unit(pm),
-      m_settler(m_network, m_length_unit, m_angles), m_exact_settler(pm, imported, vpm), m_sides(pm),
-      m_maker(imported, pm, m_sides)
+                        const Length_unit& unit, const Surface_sides& sides, bool certifies)
+    : m_unit(imported.unit()), m_certifies(certifies), m_network(pm, false), m_angles(pm),
+      m_settler(m_network, unit, m_angles), m_exact_settler(pm, imported, vpm), m_maker(imported, pm, sides)
   {}
 
   // The path is the origin of the curve in its seeds. Cost: that of `tighten_closed_curves()` without that of the mesh.
   Tightened_curve<TriangleMesh> tighten(std::vector<Index> path)
   {
     const Index c = m_network.add_curve(0, path);
+    return tighten(c, {0, std::move(path), Seed_origin::USER});
+  }
+
+  // The same for a closed curve that is given by its arcs, of this origin.
+  Tightened_curve<TriangleMesh> tighten(std::vector<Arc> arcs, Seed_origin origin)
+  {
+    const Index c = m_network.add_curve(0);
+    m_network.set_arcs(c, arcs);
+    return tighten(c, {0, {}, origin});
+  }
+
+  const Corner_angles& angles() const { return m_angles; }
+
+private:
+  Tightened_curve<TriangleMesh> tighten(Index c, const Seed_curve& seed)
+  {
     Tightened_curve<TriangleMesh> result;
     result.verdict = m_settler.settle(c);
     double band_width = m_settler.band_width();
@@ -69,26 +85,17 @@ public:
       result.verdict = tightening_verdict(result.certificate, m_network.is_empty(c));
     }
     if(result.verdict == Tightening_verdict::CLOSED_GEODESIC)
-    {
-      const Seed_curve seed = {0, std::move(path), Seed_origin::USER};
       result.curve = m_maker.make(m_network, c, std::vector<Seed_curve>(1, seed), band_width, result.certificate);
-    }
     m_network.remove(c);
     return result;
   }
 
-  const Corner_angles& angles() const { return m_angles; }
-  const Length_unit& length_unit() const { return m_length_unit; }
-
-private:
   const Coordinate_unit m_unit;
   const bool m_certifies;
   Curve_network m_network;
   const Corner_angles m_angles;
-  const Length_unit m_length_unit;
   Curve_settler m_settler;
   Exact_settler<TriangleMesh, VertexPointMap> m_exact_settler;
-  const Surface_sides m_sides;
   Constriction_maker<TriangleMesh> m_maker;
 };
 

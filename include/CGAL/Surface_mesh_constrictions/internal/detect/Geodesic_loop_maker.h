@@ -2,41 +2,33 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_DETECT_GEODESIC_LOOP_MAKER_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_DETECT_GEODESIC_LOOP_MAKER_H
 
-#include <CGAL/Surface_mesh_constrictions/Certificate.h>
-#include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
-#include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
+#include <CGAL/Surface_mesh_constrictions/Tightened_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
-#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_crossings.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/boundary_share.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/curve_measures.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Closed_path_tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/Face_locations.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/Prepared_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/held_loops.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
-#include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/insert_point.h>
-#include <CGAL/Surface_mesh_constrictions/internal/tighten/Curve_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Flat_band.h>
-#include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
 
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <limits>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -48,24 +40,18 @@ template <class TriangleMesh, class VertexPointMap>
 class Geodesic_loop_maker
 {
   typedef Geodesic_loop<TriangleMesh> Result;
-  typedef typename Result::Face_location Face_location;
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
 
 public:
-  // `pm` is the user's mesh, `with` the same with the location put in. Linear.
-  Geodesic_loop_maker(const Imported_mesh<TriangleMesh>& imported, const Progressive_mesh& pm,
-                      const Progressive_mesh& with, const Surface_with_point& inserted, const Surface_location& at,
-                      VertexPointMap vpm, bool certifies)
-    : m_imported(imported), m_pm(pm), m_with(with), m_inserted(inserted), m_at(at), m_sides(pm), m_network(pm, false),
-      m_angles(pm), m_settler(m_network, Length_unit(pm), m_angles), m_exact_settler(pm, imported, vpm),
-      m_constriction_maker(imported, pm, m_sides), m_certifies(certifies)
-  {
-    if(inserted.is_changed)
-      m_sides_with.emplace(with);
-  }
+  // `with` is the prepared surface with the location put in.
+  Geodesic_loop_maker(const Prepared_surface<TriangleMesh, VertexPointMap>& prepared, const Progressive_mesh& with,
+                      const Surface_with_point& inserted, const Surface_location& at, bool certifies)
+    : m_imported(prepared.imported()), m_pm(prepared.surface()), m_with(with), m_inserted(inserted), m_at(at),
+      m_sides(prepared.sides()), m_locations(m_imported, m_pm),
+      m_tightener(m_imported, m_pm, prepared.vertex_point_map(), prepared.length_unit(), m_sides, certifies)
+  {}
 
-  // Of a geodesic loop of the surface with the location. Cost: that of `Constriction_maker::make()`, plus that of
-  // tightening the loop when it is let go.
+  // Of a geodesic loop of the surface with the location, at which it starts. Cost: that of `Constriction_maker::make()`,
+  // plus that of tightening the loop when it is let go.
   Result make(const std::vector<Arc>& loop)
   {
     Result result;
@@ -86,7 +72,8 @@ private:
       {
         const Surface_with_point::Piece piece = m_inserted.piece(p.halfedge);
         if(piece.old != null_index)
-          result.locations.push_back(crossing(piece.old, piece.begin + p.parameter * (piece.end - piece.begin)));
+          result.locations.push_back(
+              m_locations.crossing(piece.old, piece.begin + p.parameter * (piece.end - piece.begin)));
         continue;
       }
       const Side_angles angles = side_angles(m_with, loop[(arc + loop.size() - 1) % loop.size()], loop[arc]);
@@ -96,11 +83,11 @@ private:
         result.right_angle = angles.right;
       }
       if(m_inserted.is_changed && p.pivot == m_inserted.vertex)
-        result.locations.push_back(held());
+        result.locations.push_back(m_locations.at(m_at));
       else
       {
         result.pivots.push_back({m_imported.vertex(p.pivot), result.locations.size(), angles.left, angles.right});
-        result.locations.push_back(corner(m_pm.outgoing(p.pivot)));
+        result.locations.push_back(m_locations.corner(p.pivot));
       }
     }
     result.is_closed_geodesic = (std::min)(result.left_angle, result.right_angle) >= CGAL_PI - flat_tolerance;
@@ -110,20 +97,110 @@ private:
   {
     const Coordinate_unit& unit = m_imported.unit();
     const double length = total_length(loop);
-    const Surface_sides& sides = m_sides_with ? *m_sides_with : m_sides;
     const std::vector<Trace_point> points = accurate_trace(m_with, loop);
-    const Parting parting = sides.part(points);
+    const Parting parting = part(points);
     const Curve_measures measures = curve_measures(m_with, points);
     result.length = unit.restored(length);
     result.separating = parting.is_separating();
     result.areas = {{unit.restored(parting.areas[0], 2), unit.restored(parting.areas[1], 2)}};
-    result.genera = sides.genera(points, parting.is_separating());
+    result.genera = m_sides.genera_beside(crossings_of_surface(points), parting.is_separating());
     result.isoperimetric_ratio = isoperimetric_ratio(length, parting.areas);
     result.roundness = measures.roundness;
     result.centroid = unit.restored_point(measures.centroid);
     result.normal = {{measures.normal.x, measures.normal.y, measures.normal.z}};
-    result.side = sides.choked_side(points);
+    result.side = m_sides.choked_side(m_with, points, m_at.face);
     result.boundary_share = boundary_share(m_with, loop, parting);
+  }
+
+  // How a loop parts the surface. The path beside it may pass the vertex that has been put in; then it is led past a
+  // corner of the face, or an end of the edge, instead, and the area between is that of flat triangles.
+  Parting part(const std::vector<Trace_point>& points) const
+  {
+    std::vector<Index> path = vertices_passed(m_with, points);
+    double between = Surface_sides::area_between(m_with, points, path);
+    if(m_inserted.is_changed)
+    {
+      const Index w = m_inserted.vertex;
+      const Index corner = m_pm.source(is_on_edge() ? Progressive_mesh::next(apex()) : 3 * m_at.face);
+      for(std::size_t i = 0; i < path.size(); ++i)
+      {
+        const Index u = path[i], v = path[(i + 1) % path.size()];
+        if((u == w) != (v == w))
+          between += area(corner, u, v, u == w ? v : u);
+      }
+      std::replace(path.begin(), path.end(), w, corner);
+    }
+    return m_sides.part(path, between);
+  }
+
+  // Whether the location that has been put in is on an edge; and the halfedge out of the corner opposite to that.
+  bool is_on_edge() const
+  {
+    return std::find(m_at.barycentric.begin(), m_at.barycentric.end(), 0.0) != m_at.barycentric.end();
+  }
+  Index apex() const
+  {
+    return 3 * m_at.face + static_cast<Index>(std::find(m_at.barycentric.begin(), m_at.barycentric.end(), 0.0) -
+                                              m_at.barycentric.begin());
+  }
+
+  // Of the triangle a, u, v, one of whose corners has been put in, in the face that it is part of; negative if it is
+  // clockwise. `old` is the one of u and v that has not been put in.
+  double area(Index a, Index u, Index v, Index old) const
+  {
+    Index f = m_at.face;
+    if(is_on_edge())
+    {
+      const Index along = Progressive_mesh::next(apex());
+      if(old == m_pm.source(along) || old == m_pm.target(along))
+        return 0;
+      if(old != m_pm.source(apex()))
+        f = m_pm.face(m_pm.opposite(along));
+    }
+    const Vector3 p = position(m_pm, m_pm.source(3 * f));
+    const Vector3 normal =
+        cross(position(m_pm, m_pm.source(3 * f + 1)) - p, position(m_pm, m_pm.source(3 * f + 2)) - p);
+    const double length = norm(normal);
+    const Vector3 q = position(m_with, a);
+    return length > 0 ? dot(cross(position(m_with, u) - q, position(m_with, v) - q), normal) / length / 2 : 0;
+  }
+
+  // The halfedge of the surface without the location that one with it is a piece of; null_index if it lies in a face.
+  // Ghosts have other numbers there. One is known by the edge of the hole, which is the first of its face.
+  Index old_halfedge(Index h) const
+  {
+    if(!m_with.is_ghost_face(m_with.face(h)))
+      return m_inserted.piece(h).old;
+    const Index place = h % 3;
+    const Surface_with_point::Piece beside = m_inserted.piece(m_with.opposite(h - place));
+    if((place == 1 && beside.begin > 0) || (place == 2 && beside.end < 1))
+      return null_index; // from the location to the ghost
+    return m_pm.opposite(beside.old) + place;
+  }
+
+  // The halfedges of the surface without the location that a loop crosses when it is moved a little to its left at its
+  // vertices and at the location.
+  std::vector<Index> crossings_of_surface(const std::vector<Trace_point>& points) const
+  {
+    std::vector<Index> crossings;
+    for(Index h : crossings_beside_pivots(m_with, points))
+    {
+      const Index old = m_inserted.is_changed ? old_halfedge(h) : h;
+      if(old == null_index)
+        continue;
+      if(!crossings.empty() && crossings.back() == m_pm.opposite(old))
+        crossings.pop_back();
+      else
+        crossings.push_back(old);
+    }
+    std::size_t begin = 0, end = crossings.size();
+    while(end - begin > 2 && crossings[begin] == m_pm.opposite(crossings[end - 1]))
+    {
+      ++begin;
+      --end;
+    }
+    return std::vector<Index>(crossings.begin() + static_cast<std::ptrdiff_t>(begin),
+                              crossings.begin() + static_cast<std::ptrdiff_t>(end));
   }
 
   void let_go(const std::vector<Arc>& loop, Result& result)
@@ -133,73 +210,18 @@ private:
       arcs = arcs_without_vertices(
           m_with, loop, [this](Index h) { return m_inserted.piece(h).old; },
           [this](Index v) { return v != m_inserted.vertex; }, m_pm);
-    const Index c = m_network.add_curve(0);
-    m_network.set_arcs(c, arcs);
-    result.verdict = m_settler.settle(c);
-    double band_width = m_settler.band_width();
-    Certificate certificate;
-    if(m_certifies && !m_network.is_empty(c))
-    {
-      certificate = m_exact_settler.settle(m_network, c);
-      band_width = m_imported.unit().divided(certificate.flat_band_width);
-      result.verdict = tightening_verdict(certificate, m_network.is_empty(c));
-    }
-    if(result.verdict == Tightening_verdict::CLOSED_GEODESIC)
-    {
-      const Seed_curve seed = {0, {}, Seed_origin::CUT_LOCUS};
-      result.let_go =
-          m_constriction_maker.make(m_network, c, std::vector<Seed_curve>(1, seed), band_width, certificate);
-    }
-    m_network.remove(c);
-  }
-
-  // A location at the source of a halfedge out of a vertex, in a face that is not a ghost.
-  Face_location corner(Index h) const
-  {
-    while(m_pm.is_ghost_face(m_pm.face(h)))
-      h = m_pm.ccw(h);
-    return location(h, {{1, 0, 0}});
-  }
-
-  // A crossing of a halfedge is not at an end of it, so that the halfedge can be told from the numbers.
-  Face_location crossing(Index h, double parameter) const
-  {
-    const double t = (std::min)((std::max)(parameter, (std::numeric_limits<double>::min)()),
-                                1 - std::numeric_limits<double>::epsilon() / 2);
-    return location(h, {{1 - t, t, 0}});
-  }
-
-  Face_location held() const { return location(3 * m_at.face, m_at.barycentric); }
-
-  // Barycentric coordinates with respect to the source of a halfedge, its target, and the third corner of its face.
-  Face_location location(Index h, const std::array<double, 3>& barycentric) const
-  {
-    const TriangleMesh& tm = m_imported.mesh();
-    const halfedge_descriptor given = m_imported.halfedge_of(h);
-    Face_location result(face(given, tm), {{0, 0, 0}});
-    halfedge_descriptor first = halfedge(result.first, tm), i = given;
-    for(std::size_t k = 0; k < 3; ++k, i = next(i, tm))
-    {
-      halfedge_descriptor j = first;
-      for(std::size_t place = 0; place < 3; ++place, j = next(j, tm))
-        if(j == i)
-          result.second[place] = barycentric[k];
-    }
-    return result;
+    Tightened_curve<TriangleMesh> tightened = m_tightener.tighten(std::move(arcs), Seed_origin::CUT_LOCUS);
+    result.verdict = tightened.verdict;
+    result.let_go = std::move(tightened.curve);
   }
 
   const Imported_mesh<TriangleMesh>& m_imported;
   const Progressive_mesh &m_pm, &m_with;
   const Surface_with_point& m_inserted;
   const Surface_location m_at;
-  const Surface_sides m_sides;
-  std::optional<Surface_sides> m_sides_with; // if the surface with the location is another one
-  Curve_network m_network;
-  const Corner_angles m_angles;
-  Curve_settler m_settler;
-  Exact_settler<TriangleMesh, VertexPointMap> m_exact_settler;
-  Constriction_maker<TriangleMesh> m_constriction_maker;
-  const bool m_certifies;
+  const Surface_sides& m_sides;
+  const Face_locations<TriangleMesh> m_locations;
+  Closed_path_tightener<TriangleMesh, VertexPointMap> m_tightener;
 };
 
 } // namespace internal

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/internal/seeds/find_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify/policies_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/simplify.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
@@ -79,7 +80,30 @@ struct Seeds_on_input
   std::vector<Seed_curve> seeds;
   std::vector<Refined_curve> refined;
   std::size_t collapses = 0;
+
+  // Appends the seeds that the refined curves from `first` on know by their numbers among these.
+  void number_seeds(std::size_t first, std::vector<Seed_curve> added)
+  {
+    for(std::size_t i = first; i < refined.size(); ++i)
+      for(std::size_t& s : refined[i].seeds)
+        s += seeds.size();
+    seeds.insert(seeds.end(), std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
+  }
 };
+
+// Carries seeds without straightening them to T^0, which `pm` is at afterwards, as far as the named parameters may select
+// what they lead to: appends them to those that have been carried.
+template <class ConcurrencyTag, class NamedParameters, class Visitor>
+void carry_unstraightened(Progressive_mesh& pm, std::vector<Seed_curve> seeds, const NamedParameters& np,
+                          const Visitor& visitor, Seeds_on_input& all)
+{
+  visitor.on_stage_begin(Detection_stage::REFINEMENT, pm.number_of_collapses());
+  const std::size_t first = all.refined.size();
+  Refinement_progress<Visitor> progress(visitor, pm.number_of_collapses());
+  carry_seed_curves<ConcurrencyTag>(pm, seeds, carrying_parameters(np), std::back_inserter(all.refined), progress);
+  all.number_seeds(first, std::move(seeds));
+  visitor.on_stage_end(Detection_stage::REFINEMENT);
+}
 
 // Simplifies the mesh, finds seeds on the way, and carries them to T^0: appends them to those of other policies.
 // Returns the surface, at level 0. Takes the connectivity and the points out of the imported mesh if `is_last`.
@@ -99,12 +123,7 @@ Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, cons
       has_seed_detection<NamedParameters> ? Tightening_schedule::AT_THE_END : Tightening_schedule::UNSTRAIGHTENED);
 
   visitor.on_stage_begin(Detection_stage::SIMPLIFICATION, imported.points.size());
-  // costs and placements that are given as they are may know the vertices of the mesh by number
-  constexpr bool has_cost =
-      !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value;
-  std::optional<Block_simplification> in_blocks;
-  if(!has_cost && !first_only)
-    in_blocks.emplace();
+  const std::optional<Block_simplification> in_blocks = first_only ? std::nullopt : blocks_asked_for<NamedParameters>();
   const Collapse_record record =
       simplify<ConcurrencyTag>(imported, policies, with_refused_seeds, first_only, in_blocks, visitor);
   visitor.on_stage_end(Detection_stage::SIMPLIFICATION);
@@ -116,19 +135,17 @@ Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, cons
   std::vector<Seed_curve> seeds = find_seeds<ConcurrencyTag>(record, np, first_only, visitor, pm);
   visitor.on_stage_end(Detection_stage::SEEDS);
 
+  if(schedule == Tightening_schedule::UNSTRAIGHTENED)
+  {
+    carry_unstraightened<ConcurrencyTag>(pm, std::move(seeds), np, visitor, all);
+    return pm;
+  }
   visitor.on_stage_begin(Detection_stage::REFINEMENT, pm.number_of_collapses());
   const std::size_t first = all.refined.size();
   Refinement_progress<Visitor> progress(visitor, pm.number_of_collapses());
-  if(schedule == Tightening_schedule::UNSTRAIGHTENED)
-    carry_seed_curves<ConcurrencyTag>(pm, seeds, carrying_parameters(np), std::back_inserter(all.refined), progress);
-  else
-    refine_seed_curves(pm, seeds, schedule, std::back_inserter(all.refined), progress);
+  refine_seed_curves(pm, seeds, schedule, std::back_inserter(all.refined), progress);
+  all.number_seeds(first, std::move(seeds));
   visitor.on_stage_end(Detection_stage::REFINEMENT);
-
-  for(std::size_t i = first; i < all.refined.size(); ++i)
-    for(std::size_t& s : all.refined[i].seeds)
-      s += all.seeds.size();
-  all.seeds.insert(all.seeds.end(), seeds.begin(), seeds.end());
   return pm;
 }
 

@@ -5,6 +5,8 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/Prepared_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/insert_point.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/nearest_point.h>
@@ -30,66 +32,72 @@ inline void check_finite(double x, const std::string& name)
                         "non-finite coordinate: the location has " + name + " = " + std::to_string(x));
 }
 
-// A location of the user as one of the imported mesh: a vertex, a location in a face, or the location nearest to a
-// point in space. Throws Invalid_input for one that is not on the mesh. Linear.
-template <class TriangleMesh, class VertexIndexMap, class Location>
-Surface_location given_location(const Imported_mesh<TriangleMesh>& imported, VertexIndexMap vim,
+// A point in space in the unit of a prepared surface, no further away than squares of distances allow. Throws
+// Invalid_input for a coordinate that is not a finite number.
+template <class TriangleMesh, class GivenPoint>
+Point given_point(const Imported_mesh<TriangleMesh>& imported, const GivenPoint& point)
+{
+  std::array<double, 3> p = {{nearest_double(point.x()), nearest_double(point.y()), nearest_double(point.z())}};
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    check_finite(p[i], std::string(1, "xyz"[i]));
+    p[i] = (std::min)((std::max)(imported.unit().divided(p[i]), -1e150), 1e150);
+  }
+  return Point(p[0], p[1], p[2]);
+}
+
+// A location of the user as one of a prepared surface: a vertex, a location in a face, or the location nearest to a
+// point in space. Throws Invalid_input for one that is not on the mesh. Linear for a location in a face.
+template <class TriangleMesh, class VertexPointMap, class Location>
+Surface_location given_location(const Prepared_surface<TriangleMesh, VertexPointMap>& prepared,
                                 const Location& location)
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  const Index faces = static_cast<Index>(imported.number_of_faces());
+  const Imported_mesh<TriangleMesh>& imported = prepared.imported();
+  const Progressive_mesh& pm = prepared.surface();
   if constexpr(std::is_convertible_v<Location, typename Graph_traits::vertex_descriptor>)
   {
-    const typename Graph_traits::vertex_descriptor given = location;
-    for(Index v = 0; v < imported.number_of_vertices() && given != Graph_traits::null_vertex(); ++v)
-    {
-      const Index h = imported.table.outgoing[v];
-      if(h == null_index || get(vim, imported.vertex(v)) != get(vim, given))
-        continue;
-      Surface_location result = {h / 3, {{0, 0, 0}}};
-      result.barycentric[h % 3] = 1;
-      return result;
-    }
-    throw Invalid_input(Input_defect::INVALID_LOCATION, 0,
-                        "invalid location: the vertex is isolated, or not one of the mesh");
+    const Index v = prepared.number_of(location);
+    if(v == null_index || pm.outgoing(v) == null_index)
+      throw Invalid_input(Input_defect::INVALID_LOCATION, 0,
+                          "invalid location: the vertex is isolated, or not one of the mesh");
+    Index h = pm.outgoing(v);
+    while(pm.is_ghost_face(pm.face(h)))
+      h = pm.ccw(h);
+    Surface_location result = {pm.face(h), {{0, 0, 0}}};
+    result.barycentric[h % 3] = 1;
+    return result;
   }
   else if constexpr(std::is_convertible_v<Location, typename Constriction<TriangleMesh>::Face_location>)
   {
+    const typename Constriction<TriangleMesh>::Face_location& given = location;
     double sum = 0;
     for(std::size_t i = 0; i < 3; ++i)
     {
-      check_finite(location.second[i], "barycentric coordinate " + std::to_string(i));
-      sum += location.second[i];
+      check_finite(given.second[i], "barycentric coordinate " + std::to_string(i));
+      sum += given.second[i];
     }
-    for(double b : location.second)
+    for(double b : given.second)
       if(b < -least_barycentric || std::abs(sum - 1) > least_barycentric)
         throw Invalid_input(Input_defect::INVALID_LOCATION, 0,
                             "invalid location: its barycentric coordinates are negative or do not add up to 1");
-    for(Index f = 0; f < faces; ++f)
-      for(Index i = 0; i < 3; ++i)
-      {
-        // the coordinates of the user begin with the source of the face's halfedge
-        const auto h = imported.halfedge_of(3 * f + i);
-        if(face(h, imported.mesh()) != location.first || h != halfedge(location.first, imported.mesh()))
-          continue;
-        Surface_location result = {f, {{0, 0, 0}}};
-        for(Index k = 0; k < 3; ++k)
-          result.barycentric[(i + k) % 3] = location.second[k];
-        return result;
-      }
+    for(Index f = 0; f < imported.number_of_faces(); ++f)
+    {
+      if(face(imported.halfedge_of(3 * f), imported.mesh()) != given.first)
+        continue;
+      // the coordinates of the user begin with the source of the face's halfedge
+      Index i = 0;
+      while(imported.halfedge_of(3 * f + i) != halfedge(given.first, imported.mesh()))
+        ++i;
+      Surface_location result = {f, {{0, 0, 0}}};
+      for(Index k = 0; k < 3; ++k)
+        result.barycentric[(i + k) % 3] = given.second[k];
+      return result;
+    }
     throw Invalid_input(Input_defect::INVALID_LOCATION, 0, "invalid location: its face is not one of the mesh");
   }
   else
-  {
-    std::array<double, 3> p = {
-        {nearest_double(location.x()), nearest_double(location.y()), nearest_double(location.z())}};
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      check_finite(p[i], std::string(1, "xyz"[i]));
-      p[i] = (std::min)((std::max)(imported.unit().divided(p[i]), -1e150), 1e150);
-    }
-    return nearest_location(imported.table, imported.points, Point(p[0], p[1], p[2]));
-  }
+    return prepared.locator().nearest_location(given_point(imported, location));
 }
 
 } // namespace internal

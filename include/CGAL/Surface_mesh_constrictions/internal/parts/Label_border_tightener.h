@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/Tightened_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Closed_path_tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Held_path_tightener.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Label_paths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
 
 #include <algorithm>
 #include <array>
@@ -48,8 +50,8 @@ public:
                          const std::vector<Label>& label, std::vector<Index> old_labels)
     : m_imported(imported), m_pm(Corner_table(imported.table), std::vector<Point>(imported.points)),
       m_certifies(certifies), m_label(label), m_old_labels(std::move(old_labels)), m_paths(m_pm, m_old_labels),
-      m_closed_tightener(imported, m_pm, vpm, certifies),
-      m_held_tightener(imported, m_pm, vpm, m_closed_tightener.length_unit(), m_closed_tightener.angles())
+      m_length_unit(m_pm), m_sides(m_pm), m_closed_tightener(imported, m_pm, vpm, m_length_unit, m_sides, certifies),
+      m_held_tightener(imported, m_pm, vpm, m_length_unit, m_closed_tightener.angles())
   {}
 
   // prominences(curves) returns closed geodesics with their prominences. To be called once.
@@ -296,6 +298,8 @@ private:
   const std::vector<Label>& m_label;
   const std::vector<Index> m_old_labels;
   const Label_paths m_paths;
+  const Length_unit m_length_unit;
+  const Surface_sides m_sides;
   Closed_path_tightener<TriangleMesh, VertexPointMap> m_closed_tightener;
   Held_path_tightener<TriangleMesh, VertexPointMap> m_held_tightener;
   std::vector<std::array<Index, 2>> m_border_labels; // on the left and right of each border

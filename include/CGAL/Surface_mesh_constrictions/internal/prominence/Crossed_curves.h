@@ -22,7 +22,6 @@ namespace internal {
 class Crossed_curves
 {
 public:
-  // Linear in the size of the mesh.
   explicit Crossed_curves(const Progressive_mesh& pm) : m_pm(pm), m_crossings(pm), m_class(pm.number_of_vertex_ids()) {}
 
   // Adds a curve. Curves are numbered in this order.

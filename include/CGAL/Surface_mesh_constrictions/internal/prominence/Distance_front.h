@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Zeroed_array.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
@@ -13,7 +14,6 @@
 #include <cstddef>
 #include <limits>
 #include <queue>
-#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
@@ -27,17 +27,15 @@ namespace internal {
 // both are settled in the order of their distances; the other side still measures its distance there, but goes no
 // further. So both distances are known at all corners of the faces in which the sides meet.
 //
-// The arrays are made once for a mesh, and restarted in constant time.
+// The arrays are made once for a mesh, and restarted in constant time. Sweeps are numbered from 1.
 class Distance_front
 {
 public:
-  // Linear in the size of the mesh.
   Distance_front(const Progressive_mesh& pm, const Edge_lengths& lengths)
-    : m_pm(pm), m_lengths(lengths), m_barred(pm.number_of_face_ids(), 0)
-  {
-    for(std::vector<Vertex>& side : m_vertices)
-      side.resize(pm.number_of_vertex_ids());
-  }
+    : m_pm(pm), m_lengths(lengths), m_vertices{{Zeroed_array<Vertex>(pm.number_of_vertex_ids()),
+                                                Zeroed_array<Vertex>(pm.number_of_vertex_ids())}},
+      m_barred(pm.number_of_face_ids())
+  {}
 
   // Forgets everything.
   void restart()
@@ -72,7 +70,7 @@ public:
   // Settles a vertex on both sides at distance 0.
   void settle_source(Index v)
   {
-    for(std::vector<Vertex>& side : m_vertices)
+    for(Zeroed_array<Vertex>& side : m_vertices)
       side[v] = {0, m_sweep, true, true};
   }
 
@@ -137,10 +135,10 @@ public:
 private:
   struct Vertex
   {
-    double distance = 0;
-    Index sweep = 0; // the one that the other members are of
-    bool settled = false;
-    bool first = false; // settled before the other side settled it
+    double distance;
+    Index sweep; // the one that the other members are of
+    bool settled;
+    bool first; // settled before the other side settled it
   };
 
   struct Entry
@@ -179,7 +177,7 @@ private:
   {
     if(is_barred(m_pm.face(h)) || is_settled(m_pm.source(m_pm.prev(h)), side))
       return;
-    const std::vector<Vertex>& vertices = m_vertices[side];
+    const Zeroed_array<Vertex>& vertices = m_vertices[side];
     const Index p = m_pm.source(h), q = m_pm.target(h);
     const double length = m_lengths[h], s = (vertices[q].distance - vertices[p].distance) / length;
     if(!(std::abs(s) < 1))
@@ -214,8 +212,8 @@ private:
 
   const Progressive_mesh& m_pm;
   const Edge_lengths& m_lengths;
-  std::array<std::vector<Vertex>, 2> m_vertices; // by side
-  std::vector<Index> m_barred;                   // the last sweep that a face was barred in
+  std::array<Zeroed_array<Vertex>, 2> m_vertices; // by side
+  Zeroed_array<Index> m_barred;                   // the last sweep that a face was barred in
   std::array<Queue, 2> m_queue;
   std::array<double, 2> m_reached = {{0, 0}};
   Index m_sweep = 0;

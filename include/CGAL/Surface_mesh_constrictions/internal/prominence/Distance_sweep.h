@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Level_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Rim_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Zeroed_array.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
 #include <array>
@@ -33,10 +34,9 @@ namespace internal {
 class Distance_sweep
 {
 public:
-  // Linear in the size of the mesh.
   Distance_sweep(const Progressive_mesh& pm, const Edge_lengths& lengths)
     : m_pm(pm), m_front(pm, lengths), m_sides{{Side(pm, lengths), Side(pm, lengths)}},
-      m_is_crossed(pm.number_of_halfedge_ids(), 0), m_is_passed(pm.number_of_halfedge_ids(), 0)
+      m_is_crossed(pm.number_of_halfedge_ids()), m_is_passed(pm.number_of_halfedge_ids())
   {}
 
   // Starts at a simple closed curve. Its sides meet if it does not separate.
@@ -294,9 +294,9 @@ private:
   const Progressive_mesh& m_pm;
   Distance_front m_front;
   std::array<Side, 2> m_sides;
-  std::vector<Index> m_crossings;  // of the start, moved to its left at its pivots
-  std::vector<Index> m_is_crossed; // the last sweep whose start crossed an edge an odd number of times
-  std::vector<Index> m_is_passed;  // the last boundary that was followed across a halfedge
+  std::vector<Index> m_crossings;   // of the start, moved to its left at its pivots
+  Zeroed_array<Index> m_is_crossed; // the last sweep whose start crossed an edge an odd number of times
+  Zeroed_array<Index> m_is_passed;  // the last boundary that was followed across a halfedge
   Index m_sweep = 0, m_boundary = 0;
   double m_distance = 0; // up to which a boundary is computed
   bool m_sides_meet = false;

@@ -8,8 +8,8 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominence/Paths_to_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Paths_to_finer_level.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ class Level_search
 {
 public:
   // `to_input` leads to T^0, `pm`. Linear in the size of the level.
-  Level_search(const Progressive_mesh& pm, Paths_to_input& to_input, const Measuring_level& level)
+  Level_search(const Progressive_mesh& pm, Paths_to_finer_level& to_input, const Measuring_level& level)
     : m_pm(pm), m_to_input(to_input), m_level(level), m_search(level.copy.surface(), level.lengths, level.angles)
   {}
 
@@ -188,7 +188,7 @@ private:
   }
 
   const Progressive_mesh& m_pm;
-  Paths_to_input& m_to_input;
+  Paths_to_finer_level& m_to_input;
   const Measuring_level& m_level;
   Barrier_search m_search;
   std::unordered_map<Index, On_input> m_on_input; // by number here

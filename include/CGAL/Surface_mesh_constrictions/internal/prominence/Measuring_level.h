@@ -48,14 +48,12 @@ inline double surface_area(const Progressive_mesh& pm)
   return sum;
 }
 
-// The levels of a surface to measure on, the coarsest first; the surface is at level 0 before and after. Linear in T^0.
-inline std::deque<Measuring_level> measuring_levels(Progressive_mesh& pm)
+// The levels of a surface to measure on, the coarsest first. `area` is that of T^0; the surface is at level 0
+// afterwards. Linear in T^0.
+inline std::deque<Measuring_level> measuring_levels(Progressive_mesh& pm, double area)
 {
   std::deque<Measuring_level> levels;
-  const std::size_t most = pm.number_of_vertices() / 3;
-  if(most <= least_measuring_vertices)
-    return levels;
-  const double area = surface_area(pm);
+  const std::size_t most = (pm.number_of_vertices() + pm.level()) / 3;
   for(std::size_t vertices = least_measuring_vertices; vertices < most; vertices *= measuring_factor)
   {
     const std::size_t level = pm.level_with(vertices);
@@ -65,6 +63,12 @@ inline std::deque<Measuring_level> measuring_levels(Progressive_mesh& pm)
   }
   pm.go_to_level(0);
   return levels;
+}
+
+// The same for a surface at level 0.
+inline std::deque<Measuring_level> measuring_levels(Progressive_mesh& pm)
+{
+  return measuring_levels(pm, surface_area(pm));
 }
 
 } // namespace internal

@@ -6,11 +6,11 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Level_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
-#include <CGAL/Surface_mesh_constrictions/internal/prominence/Paths_to_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Group.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Paths_to_finer_level.h>
 
 #include <CGAL/for_each.h>
 
@@ -69,12 +69,12 @@ private:
   struct Searches
   {
     Barrier_search on_input;
-    Paths_to_input to_input;
+    Paths_to_finer_level to_input;
     std::deque<Level_search> on_levels;
 
     Searches(const Progressive_mesh& pm, const Edge_lengths& lengths, const Corner_angles& angles,
              const std::deque<Measuring_level>& levels)
-      : on_input(pm, lengths, angles), to_input(pm, lengths)
+      : on_input(pm, lengths, angles), to_input(pm)
     {
       for(const Measuring_level& level : levels)
         on_levels.emplace_back(pm, to_input, level);

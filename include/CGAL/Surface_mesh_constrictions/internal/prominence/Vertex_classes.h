@@ -3,6 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_VERTEX_CLASSES_H
 
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Side_classes.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Zeroed_array.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,8 +18,7 @@ namespace internal {
 class Vertex_classes
 {
 public:
-  explicit Vertex_classes(std::size_t number_of_vertices)
-    : m_class(number_of_vertices), m_sweep_of(number_of_vertices, 0)
+  explicit Vertex_classes(std::size_t number_of_vertices) : m_class(number_of_vertices), m_sweep_of(number_of_vertices)
   {}
 
   void restart(std::size_t number_of_curves)
@@ -69,8 +69,8 @@ private:
   }
 
   Side_classes m_classes;
-  std::vector<Index> m_class;                   // of a vertex
-  std::vector<Index> m_sweep_of;                // the sweep that this was in
+  Zeroed_array<Index> m_class;                  // of a vertex
+  Zeroed_array<Index> m_sweep_of;               // the sweep that this was in
   std::vector<Index> m_wrong_in;                // of a curve: the last sweep in which it was found to be inconsistent
   std::unordered_set<std::uint64_t> m_compared; // differences of classes that have been looked at
   Index m_sweep = 0;

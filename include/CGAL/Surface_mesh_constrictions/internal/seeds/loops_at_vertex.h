@@ -3,14 +3,15 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SEEDS_LOOPS_AT_VERTEX_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_graph.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Shortest_path_tree.h>
+#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
-#include <numeric>
+#include <queue>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -18,9 +19,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Loops of edges through one vertex of T^0, the root, one for each kind of geodesic loop at the root: the shortest
-// paths to the two ends of an edge, and the edge. On smooth surfaces, geodesic loops at a point go through the local
-// minima of the distance from it along its cut locus, which are the saddles of the distance.
+// Loops of edges through one vertex, the root, one for each kind of geodesic loop at the root: the shortest paths to the
+// two ends of an edge, and the edge. On smooth surfaces, geodesic loops at a point go through the local minima of the
+// distance from it along its cut locus, which are the saddles of the distance.
 //
 // Process the surface from far to near. The processed part begins as a region around each tip and each hole. At a
 // saddle two regions become one; the loop there encloses either of them. Its persistence is how much longer the loops
@@ -28,89 +29,180 @@ namespace internal {
 // persistence. Once all regions are one, a loop that joins it to itself is not contractible. These loops are a greedy
 // homotopy basis (Erickson and Whittlesey 2005), and all of them are taken.
 //
-// Returns at most `maximum_number` loops, paths of vertex ids from the root on, which is not repeated: first those that
-// join a region to itself or separate two holes, the shortest first, then the others by persistence. A path may begin
-// and end with the same edges. O(n log n).
-inline std::vector<std::vector<Index>> loops_at_vertex(const Progressive_mesh& pm, Index root,
-                                                       std::size_t maximum_number)
+// Only the vertices that are nearest to the root, along edges, are looked at, so many of them at most. All that is beyond
+// is one region, like a hole. So the loops around a limb that leads out of that part are of those that join a region to
+// itself, if they are shorter than twice the distance of what is beyond.
+class Loops_at_vertex
 {
-  const double infinity = (std::numeric_limits<double>::infinity)();
+public:
+  // O(n log n) for the n vertices that are looked at.
+  Loops_at_vertex(const Progressive_mesh& pm, Index root, std::size_t most_vertices) : m_pm(pm), m_root(root)
+  {
+    grow(most_vertices);
+    find_loops();
+    find_persistences();
+  }
+
+  // At most so many loops, paths of vertex ids from the root on, which is not repeated: first those that join a region
+  // to itself or separate two holes, the shortest first, then the others by persistence. A path may begin and end with
+  // the same edges.
+  std::vector<std::vector<Index>> paths(std::size_t maximum_number)
+  {
+    std::stable_sort(m_loops.begin(), m_loops.end(), [](const Loop& a, const Loop& b) {
+      return a.persistence != b.persistence ? a.persistence > b.persistence : a.length < b.length;
+    });
+    std::vector<std::vector<Index>> result;
+    for(std::size_t i = 0; i < m_loops.size() && i < maximum_number; ++i)
+    {
+      std::vector<Index> path;
+      for(Index v = m_pm.source(m_loops[i].halfedge); v != null_index; v = m_reached.at(v).parent)
+        path.push_back(v);
+      std::reverse(path.begin(), path.end());
+      for(Index v = m_pm.target(m_loops[i].halfedge); v != m_root; v = m_reached.at(v).parent)
+        path.push_back(v);
+      result.push_back(std::move(path));
+    }
+    return result;
+  }
+
+private:
   struct Loop
   {
     Index halfedge;
     double length, persistence;
   };
 
-  const Edge_graph graph(pm);
-  Shortest_path_tree tree(graph);
-  tree.grow(graph.number(root));
-  std::vector<double> distance(pm.number_of_vertex_ids(), infinity);
-  std::vector<Index> parent(pm.number_of_vertex_ids(), null_index);
-  for(Index v = 0; v < graph.number_of_vertices(); ++v)
+  struct Reached
   {
-    distance[graph.id(v)] = tree.distance(v);
-    if(tree.parent(v) != null_index)
-      parent[graph.id(v)] = graph.id(tree.parent(v));
-  }
-
-  std::vector<Loop> loops;
-  for(Index h = 0; h < pm.number_of_halfedge_ids(); ++h)
-  {
-    const Index u = pm.source(h), v = pm.target(h);
-    if(pm.edge(h) != h || distance[u] == infinity || distance[v] == infinity || parent[u] == v || parent[v] == u)
-      continue;
-    loops.push_back({h, distance[u] + norm(vector(pm.point(u), pm.point(v))) + distance[v], 0});
-  }
-  std::stable_sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) { return a.length > b.length; });
-
-  // Regions, by the face that stands for each, or by the ghost vertex of a hole; and the length of the longest loop in
-  // it, which is where it begins.
-  std::vector<Index> region(pm.number_of_face_ids() + pm.number_of_vertex_ids());
-  std::iota(region.begin(), region.end(), Index(0));
-  std::vector<double> longest(region.size(), 0);
-  std::fill(longest.begin() + static_cast<std::ptrdiff_t>(pm.number_of_face_ids()), longest.end(), infinity);
-  const auto region_of = [&](Index h) {
-    Index r = pm.face(h);
-    if(pm.is_ghost_face(r))
-      for(Index i = 0; i < 3; ++i, h = pm.next(h))
-        if(pm.is_ghost_vertex(pm.source(h)))
-          r = static_cast<Index>(pm.number_of_face_ids()) + pm.source(h);
-    while(region[r] != r)
-      r = region[r] = region[region[r]];
-    return r;
+    double distance;
+    Index parent;
+    bool is_settled;
   };
-  for(Loop& l : loops)
+
+  // A region of faces, or what is beyond, or a hole.
+  struct Region
   {
-    Index a = region_of(l.halfedge), b = region_of(pm.opposite(l.halfedge));
-    if(a == b)
+    Index parent;
+    double longest; // of the loops in it, where it begins
+  };
+
+  void grow(std::size_t most_vertices)
+  {
+    typedef std::pair<double, Index> Entry; // distance and vertex
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    m_reached[m_root] = {0, null_index, false};
+    queue.emplace(0, m_root);
+    while(!queue.empty() && m_settled.size() < most_vertices)
     {
-      l.persistence = infinity;
-      continue;
+      const auto [distance, u] = queue.top();
+      queue.pop();
+      Reached& here = m_reached.at(u);
+      if(here.is_settled)
+        continue;
+      here.is_settled = true;
+      m_settled.push_back(u);
+      const Index begin = m_pm.outgoing(u);
+      Index h = begin;
+      do
+      {
+        const Index v = m_pm.target(h);
+        if(!m_pm.is_ghost_vertex(v))
+        {
+          const double there = distance + norm(vector(m_pm.point(u), m_pm.point(v)));
+          const auto known = m_reached.find(v);
+          if(known == m_reached.end() || there < known->second.distance)
+          {
+            m_reached[v] = {there, u, false};
+            queue.emplace(there, v);
+          }
+        }
+        h = m_pm.ccw(h);
+      } while(h != begin);
     }
-    if(longest[a] < longest[b])
-      std::swap(a, b);
-    longest[a] = (std::max)(longest[a], l.length);
-    l.persistence = (std::max)(longest[b], l.length) / l.length - 1;
-    region[b] = a;
   }
 
-  std::stable_sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) {
-    return a.persistence != b.persistence ? a.persistence > b.persistence : a.length < b.length;
-  });
-  if(loops.size() > maximum_number)
-    loops.resize(maximum_number);
-  std::vector<std::vector<Index>> result;
-  for(const Loop& l : loops)
+  bool is_settled(Index v) const
   {
-    std::vector<Index> path;
-    for(Index v = pm.source(l.halfedge); v != null_index; v = parent[v])
-      path.push_back(v);
-    std::reverse(path.begin(), path.end());
-    for(Index v = pm.target(l.halfedge); v != root; v = parent[v])
-      path.push_back(v);
-    result.push_back(std::move(path));
+    const auto known = m_reached.find(v);
+    return known != m_reached.end() && known->second.is_settled;
   }
-  return result;
+
+  // From the longest to the shortest.
+  void find_loops()
+  {
+    std::sort(m_settled.begin(), m_settled.end());
+    for(Index u : m_settled)
+    {
+      const Index begin = m_pm.outgoing(u);
+      Index h = begin;
+      do
+      {
+        const Index v = m_pm.target(h);
+        if(m_pm.edge(h) == h && !m_pm.is_ghost_vertex(v) && is_settled(v) && m_reached.at(u).parent != v &&
+           m_reached.at(v).parent != u)
+          m_loops.push_back(
+              {h, m_reached.at(u).distance + norm(vector(m_pm.point(u), m_pm.point(v))) + m_reached.at(v).distance, 0});
+        h = m_pm.ccw(h);
+      } while(h != begin);
+    }
+    std::sort(m_loops.begin(), m_loops.end(), [](const Loop& a, const Loop& b) {
+      return a.length != b.length ? a.length > b.length : a.halfedge < b.halfedge;
+    });
+  }
+
+  void find_persistences()
+  {
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
+    m_regions.push_back({0, infinity}); // what is beyond
+    for(Loop& l : m_loops)
+    {
+      Index a = region_of(l.halfedge), b = region_of(m_pm.opposite(l.halfedge));
+      if(a == b)
+      {
+        l.persistence = infinity;
+        continue;
+      }
+      if(m_regions[a].longest < m_regions[b].longest)
+        std::swap(a, b);
+      m_regions[a].longest = (std::max)(m_regions[a].longest, l.length);
+      l.persistence = (std::max)(m_regions[b].longest, l.length) / l.length - 1;
+      m_regions[b].parent = a;
+    }
+  }
+
+  // The region on the left of a halfedge whose ends are settled.
+  Index region_of(Index h)
+  {
+    const Index f = m_pm.face(h), third = m_pm.source(m_pm.prev(h));
+    const bool is_hole = m_pm.is_ghost_face(f);
+    Index r = 0;
+    if(is_hole || is_settled(third))
+    {
+      auto& places = is_hole ? m_region_of_hole : m_region_of_face;
+      const auto place = places.emplace(is_hole ? third : f, static_cast<Index>(m_regions.size()));
+      r = place.first->second;
+      if(place.second)
+        m_regions.push_back({r, is_hole ? (std::numeric_limits<double>::infinity)() : 0});
+    }
+    while(m_regions[r].parent != r)
+      r = m_regions[r].parent = m_regions[m_regions[r].parent].parent;
+    return r;
+  }
+
+  const Progressive_mesh& m_pm;
+  const Index m_root;
+  std::unordered_map<Index, Reached> m_reached; // by vertex
+  std::vector<Index> m_settled;                 // vertices
+  std::vector<Loop> m_loops;
+  std::vector<Region> m_regions;
+  std::unordered_map<Index, Index> m_region_of_face, m_region_of_hole; // the latter by ghost vertex
+};
+
+// The loops through a vertex of T^0 on the whole surface, see `Loops_at_vertex`.
+inline std::vector<std::vector<Index>> loops_at_vertex(const Progressive_mesh& pm, Index root,
+                                                       std::size_t maximum_number)
+{
+  return Loops_at_vertex(pm, root, (std::numeric_limits<std::size_t>::max)()).paths(maximum_number);
 }
 
 } // namespace internal

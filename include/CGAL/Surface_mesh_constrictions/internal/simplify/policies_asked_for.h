@@ -3,11 +3,13 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SIMPLIFY_POLICIES_ASKED_FOR_H
 
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify/simplify.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <optional>
 #include <tuple>
 
 namespace CGAL {
@@ -47,6 +49,17 @@ auto policies_asked_for(const NamedParameters& np)
     });
   else
     return as_tuple(Garland_heckbert_policies());
+}
+
+// Whether a large mesh is simplified in blocks. Costs and placements that are given as they are may know the vertices of
+// the mesh by number.
+template <class NamedParameters>
+std::optional<Block_simplification> blocks_asked_for()
+{
+  if constexpr(CGAL::parameters::is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value)
+    return Block_simplification();
+  else
+    return std::nullopt;
 }
 
 } // namespace internal

@@ -27,8 +27,7 @@ public:
   // Linear.
   explicit Surface_cycles(const Progressive_mesh& pm)
     : m_pm(pm), m_to_parent(pm.number_of_face_ids(), null_index), m_first(pm.number_of_face_ids(), 0),
-      m_end(pm.number_of_face_ids(), 0), m_root(pm.number_of_face_ids(), null_index),
-      m_area(pm.number_of_face_ids(), 0), m_number_of_vertices(pm.number_of_face_ids(), 0)
+      m_end(pm.number_of_face_ids(), 0), m_number_of_vertices(pm.number_of_face_ids(), 0)
   {
     std::vector<bool> is_in_tree(pm.number_of_halfedge_ids(), false); // by edge
     span_vertices(is_in_tree);
@@ -39,13 +38,18 @@ public:
   }
 
   // the area of the component that a face belongs to
-  double area_of_component(Index f) const { return m_area[m_root[f]]; }
+  double area_of_component(Index f) const { return area_of_subtree(component(f)); }
 
   // The area of what would fill the holes of the component that a face belongs to, flat.
-  double hole_area_of_component(Index f) const { return hole_area_of_subtree(m_root[f]); }
+  double hole_area_of_component(Index f) const { return hole_area_of_subtree(component(f)); }
 
   // a face that stands for the component that a face belongs to
-  Index component(Index f) const { return m_root[f]; }
+  Index component(Index f) const
+  {
+    return *(std::upper_bound(m_roots.begin(), m_roots.end(), m_first[f],
+                              [this](Index first, Index root) { return first < m_first[root]; }) -
+             1);
+  }
 
   // The basis cycles that a closed path of vertices crosses an odd number of times, ascending. Consecutive vertices may
   // be equal. O((k + g) log k) for k edges and genus g.
@@ -95,7 +99,7 @@ public:
       ghosts += sign * ghosts_of_subtree(f);
       faces += sign * (subtree(f).faces - ghosts_of_subtree(f));
     });
-    const Index root = m_root[m_pm.face(m_pm.outgoing(path[0]))];
+    const Index root = component(m_pm.face(m_pm.outgoing(path[0])));
     const long all_ghosts = ghosts_of_subtree(root), all_faces = subtree(root).faces - all_ghosts;
     const long turns = faces >= 0 ? faces / all_faces : -((all_faces - 1 - faces) / all_faces);
     faces -= turns * all_faces;
@@ -107,8 +111,21 @@ public:
   double area_on_left(const std::vector<Index>& path) const
   {
     double sum = 0;
-    for_each_subtree_beside(path, [&](Index f, int sign) { sum += sign * m_area[f]; });
+    for_each_subtree_beside(path, [&](Index f, int sign) { sum += sign * area_of_subtree(f); });
     return sum;
+  }
+
+  // Whether a simple closed path that bounds has a face of its component on its left. The sum of the subtrees beside the
+  // path counts the faces on the left once more often than those on the right. Linear in the path.
+  bool is_on_left(const std::vector<Index>& path, Index f) const
+  {
+    double sum = 0;
+    long often = 0;
+    for_each_subtree_beside(path, [&](Index top, int sign) {
+      sum += sign * area_of_subtree(top);
+      often += m_first[top] <= m_first[f] && m_first[f] < m_end[top] ? sign : 0;
+    });
+    return sum < static_cast<double>(often) * area_of_component(f);
   }
 
   // As `area_on_left()`, of what would fill the holes.
@@ -170,7 +187,7 @@ public:
       }
     }
     // Neither side is without a vertex and the middle of a face, so the multiples of the whole are told.
-    const Numbers whole = subtree(m_root[m_pm.face(crossings.front())]);
+    const Numbers whole = subtree(component(m_pm.face(crossings.front())));
     while(left.faces < 0 || (left.faces == 0 && left.vertices <= 0))
       left.add(whole, 1);
     while(left.faces > whole.faces || (left.faces == whole.faces && left.vertices >= whole.vertices))
@@ -184,7 +201,7 @@ public:
   // the genus of the component that a face belongs to
   std::size_t genus_of_component(Index f) const
   {
-    const Numbers whole = subtree(m_root[f]);
+    const Numbers whole = subtree(component(f));
     return static_cast<std::size_t>((4 - 2 * whole.vertices + whole.faces) / 4);
   }
 
@@ -216,6 +233,8 @@ private:
   {
     return {static_cast<long>(m_end[f]) - static_cast<long>(m_first[f]), static_cast<long>(m_number_of_vertices[f])};
   }
+
+  double area_of_subtree(Index f) const { return m_area_before[m_end[f]] - m_area_before[m_first[f]]; }
 
   long ghosts_of_subtree(Index f) const
   {
@@ -317,16 +336,18 @@ private:
     }
   }
 
-  // Numbers the faces such that those of a subtree are consecutive, and adds up areas and vertices towards the roots.
+  // Numbers the faces such that those of a subtree are consecutive, and adds up vertices towards the roots.
   void span_faces(std::vector<bool>& is_in_tree)
   {
     std::vector<Index> order, stack;
+    std::vector<bool> is_reached(m_pm.number_of_face_ids(), false);
     for(Index root = 0; root < m_pm.number_of_face_ids(); ++root)
     {
-      if(!m_pm.is_face(root) || m_root[root] != null_index)
+      if(!m_pm.is_face(root) || is_reached[root])
         continue;
       const std::size_t begin = order.size();
-      m_root[root] = root;
+      is_reached[root] = true;
+      m_roots.push_back(root);
       stack.assign(1, root);
       while(!stack.empty())
       {
@@ -334,15 +355,14 @@ private:
         stack.pop_back();
         m_first[f] = static_cast<Index>(order.size());
         m_end[f] = m_first[f] + 1;
-        m_area[f] = face_area(m_pm, f);
         m_number_of_vertices[f] = static_cast<Index>(own(f).vertices);
         order.push_back(f);
         for(Index h = 3 * f; h < 3 * f + 3; ++h)
         {
           const Index o = m_pm.opposite(h), g = m_pm.face(o);
-          if(is_in_tree[m_pm.edge(h)] || m_root[g] != null_index)
+          if(is_in_tree[m_pm.edge(h)] || is_reached[g])
             continue;
-          m_root[g] = root;
+          is_reached[g] = true;
           m_to_parent[g] = o;
           is_in_tree[m_pm.edge(h)] = true;
           stack.push_back(g);
@@ -352,11 +372,11 @@ private:
       {
         const Index f = order[i], parent = m_pm.face(m_pm.opposite(m_to_parent[f]));
         m_end[parent] = (std::max)(m_end[parent], m_end[f]);
-        m_area[parent] += m_area[f];
         m_number_of_vertices[parent] += m_number_of_vertices[f];
       }
     }
-    m_area_before.assign(1, 0);
+    m_area_before.reserve(order.size() + 1);
+    m_area_before.push_back(0);
     for(Index f : order)
       m_area_before.push_back(m_area_before.back() + face_area(m_pm, f));
     if(!m_pm.has_boundary())
@@ -387,8 +407,7 @@ private:
   const Progressive_mesh& m_pm;
   std::vector<Index> m_to_parent;          // of a face: its halfedge to the next face on the way to its root
   std::vector<Index> m_first, m_end;       // of a face: the numbers of the faces of its subtree
-  std::vector<Index> m_root;               // of the tree that a face belongs to
-  std::vector<double> m_area;              // of the subtree of a face
+  std::vector<Index> m_roots;              // of the trees, in the order of their faces' numbers
   std::vector<Index> m_number_of_vertices; // that belong to the faces of the subtree of a face
   std::vector<double> m_area_before;       // by the number of a face
   std::vector<Index> m_ghosts_before;      // by the number of a face; empty if there are none

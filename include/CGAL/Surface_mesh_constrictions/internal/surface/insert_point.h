@@ -2,6 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_INSERT_POINT_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_INSERT_POINT_H
 
+#include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
@@ -42,12 +43,6 @@ inline Surface_location without_tiny_coordinates(Surface_location location)
   return location;
 }
 
-// Without ghosts.
-inline Index number_of_faces(const Corner_table& table)
-{
-  return (std::min)(static_cast<Index>(table.halfedges.size() / 3), table.first_ghost_face);
-}
-
 // The point of a triangle that is nearest to p, in barycentric coordinates (Ericson, Real-Time Collision Detection,
 // 5.1.5).
 inline std::array<double, 3> nearest_in_triangle(const Point& p, const Point& a, const Point& b, const Point& c)
@@ -75,49 +70,13 @@ inline std::array<double, 3> nearest_in_triangle(const Point& p, const Point& a,
   return {{va / sum, vb / sum, vc / sum}};
 }
 
-inline Point point_of(const Corner_table& table, const std::vector<Point>& points, const Surface_location& location)
+inline Point point_of(const Progressive_mesh& pm, const Surface_location& location)
 {
   double sum[3] = {0, 0, 0};
   for(Index i = 0; i < 3; ++i)
     for(int k = 0; k < 3; ++k)
-      sum[k] += location.barycentric[i] * points[table.halfedges[3 * location.face + i].source][k];
+      sum[k] += location.barycentric[i] * pm.point(pm.source(3 * location.face + i))[k];
   return Point(sum[0], sum[1], sum[2]);
-}
-
-// The location on a surface that is nearest to a point in space, that in the first face if there are several. A point
-// that is further away than a million times the size of the surface is brought as near as that, so that no square
-// overflows. Linear.
-inline Surface_location nearest_location(const Corner_table& table, const std::vector<Point>& points, const Point& p)
-{
-  const Index n = number_of_faces(table);
-  double bounded[3];
-  for(int k = 0; k < 3; ++k)
-  {
-    double low = points[table.halfedges[0].source][k], high = low;
-    for(Index h = 0; h < 3 * n; ++h)
-    {
-      low = (std::min)(low, points[table.halfedges[h].source][k]);
-      high = (std::max)(high, points[table.halfedges[h].source][k]);
-    }
-    const double room = 1e6 * ((std::max)(std::abs(low), std::abs(high)));
-    bounded[k] = (std::min)((std::max)(p[k], low - room), high + room);
-  }
-  const Point q(bounded[0], bounded[1], bounded[2]);
-  Surface_location nearest = {0, {{1, 0, 0}}};
-  double least = -1;
-  for(Index f = 0; f < n; ++f)
-  {
-    const Surface_location l = {f, nearest_in_triangle(q, points[table.halfedges[3 * f].source],
-                                                       points[table.halfedges[3 * f + 1].source],
-                                                       points[table.halfedges[3 * f + 2].source])};
-    const double d = (q - point_of(table, points, l)).squared_length();
-    if(least < 0 || d < least)
-    {
-      least = d;
-      nearest = l;
-    }
-  }
-  return nearest;
 }
 
 // A surface with a vertex more, or the same one if the location is at a vertex; closed by ghosts if it has a boundary.
@@ -147,72 +106,136 @@ struct Surface_with_point
   }
 };
 
-// Puts a point of a surface in as a vertex: its face falls into three, or the two faces at its edge into two each.
-// Their first pieces keep the numbers. Linear in the size of the surface.
-inline Surface_with_point insert_point(const Corner_table& table, const std::vector<Point>& points,
-                                       const Surface_location& location)
+// Joins faces that have got new corners, on a closed surface: the vertex w, then the ends of a halfedge that had the
+// given opposite. Each is given by its first halfedge. Linear in the degrees of the corners.
+inline void join_new_faces(Corner_table& table, const std::vector<std::pair<Index, Index>>& faces)
 {
-  const Index e = 3 * location.face, n = 3 * number_of_faces(table);
-  const Point p = point_of(table, points, location);
+  const auto join = [&table](Index h, Index o) {
+    table.halfedges[h].opposite = o;
+    table.halfedges[o].opposite = h;
+  };
+  for(const auto& [first, opposite] : faces)
+  {
+    join(first + 1, opposite);
+    for(const auto& [other, its_opposite] : faces)
+      if(table.halfedges[first + 1].source == table.halfedges[other + 2].source)
+        join(first, other + 2);
+  }
+  const auto set_outgoing = [&table](Index h) {
+    const Index begin = h;
+    Index least = h;
+    while((h = table.halfedges[Corner_table::prev(h)].opposite) != begin)
+      least = (std::min)(least, h);
+    table.outgoing[table.halfedges[h].source] = least;
+  };
+  for(const auto& face : faces)
+    for(Index h = face.first; h < face.first + 3; ++h)
+      set_outgoing(h);
+}
+
+// Puts a point of T^0 in as a vertex: its face falls into three, or the two faces at its edge into two each. Their first
+// pieces keep the numbers. Linear in the size of the surface, for the copy; on a closed surface the rest depends on the
+// degrees of the corners alone.
+inline Surface_with_point insert_point(const Progressive_mesh& pm, const Surface_location& location)
+{
+  const Corner_table& table = pm.connectivity();
+  const Index e = 3 * location.face,
+              n = (std::min)(static_cast<Index>(table.halfedges.size() / 3), table.first_ghost_face) * 3;
+  const Point p = point_of(pm, location);
   Surface_with_point result = {null_index, false, {}, {}, {}};
   for(Index i = 0; i < 3; ++i)
   {
-    const Index v = table.halfedges[e + i].source;
-    if(location.barycentric[i] == 1 || points[v] == p)
+    const Index v = pm.source(e + i);
+    if(location.barycentric[i] == 1 || pm.point(v) == p)
     {
       result.vertex = v;
       return result;
     }
   }
   result.is_changed = true;
-  const Index w = result.vertex = (std::min)(static_cast<Index>(points.size()), table.first_ghost_vertex);
-  std::vector<Index> corners;
-  for(Index h = 0; h < n; ++h)
-    corners.push_back(table.halfedges[h].source);
+  const Index w = result.vertex = (std::min)(static_cast<Index>(pm.points().size()), table.first_ghost_vertex);
 
-  // A face w, a, b, of which the halfedge from a to b is an old one. The first one of a face replaces that.
+  // Faces w, a, b, of which the halfedge from a to b is an old one. The first one of a face replaces that.
+  struct Piece_of_face
+  {
+    Index first, a, b, old;
+  };
+  std::vector<Piece_of_face> faces;
+  Index end = n;
   const auto add_face = [&](Index first, Index a, Index b, Index old) {
     if(first == null_index)
     {
-      first = static_cast<Index>(corners.size());
-      corners.resize(corners.size() + 3);
+      first = end;
+      end += 3;
     }
-    corners[first] = w;
-    corners[first + 1] = a;
-    corners[first + 2] = b;
+    faces.push_back({first, a, b, old});
     result.pieces.push_back({first, null_index, 0, 0});
     result.pieces.push_back({first + 1, old, 0, 1});
     result.pieces.push_back({first + 2, null_index, 0, 0});
     return first;
   };
-  const auto source = [&](Index h) { return table.halfedges[h].source; };
   const auto on_edge = std::find(location.barycentric.begin(), location.barycentric.end(), 0.0);
   if(on_edge == location.barycentric.end())
     for(Index i = 0; i < 3; ++i)
-      add_face(i == 0 ? e : null_index, source(e + i), source(Corner_table::next(e + i)), e + i);
+      add_face(i == 0 ? e : null_index, pm.source(e + i), pm.target(e + i), e + i);
   else
   {
     // the edge is opposite to the corner with the coordinate 0
     const Index apex = e + static_cast<Index>(on_edge - location.barycentric.begin()), along = Corner_table::next(apex);
     const double t = location.barycentric[Corner_table::next(along) - e];
-    for(const std::pair<Index, double>& side :
-        {std::make_pair(along, t), std::make_pair(table.halfedges[along].opposite, 1 - t)})
+    for(const std::pair<Index, double>& side : {std::make_pair(along, t), std::make_pair(pm.opposite(along), 1 - t)})
     {
       const Index h = side.first; // from u to v, with the new vertex between
-      if(h == null_index || h >= n)
+      if(pm.is_ghost_face(pm.face(h)))
         continue;
       const Index next = Corner_table::next(h), prev = Corner_table::prev(h);
-      const Index v_side = add_face(3 * (h / 3), source(next), source(prev), next); // w v a
-      const Index u_side = add_face(null_index, source(prev), source(h), prev);     // w a u
+      const Index v_side = add_face(3 * pm.face(h), pm.source(next), pm.source(prev), next); // w v a
+      const Index u_side = add_face(null_index, pm.source(prev), pm.source(h), prev);        // w a u
       result.pieces[result.pieces.size() - 6] = {v_side, h, side.second, 1};
       result.pieces[result.pieces.size() - 1] = {u_side + 2, h, 0, side.second};
     }
   }
-  result.points.assign(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(w));
+
+  if(!pm.has_boundary())
+  {
+    std::vector<std::pair<Index, Index>> joined;
+    for(const Piece_of_face& f : faces)
+      joined.emplace_back(f.first, pm.opposite(f.old));
+    result.table.halfedges.reserve(end);
+    result.table.halfedges = table.halfedges;
+    result.table.halfedges.resize(end);
+    result.table.outgoing.reserve(table.outgoing.size() + 1);
+    result.table.outgoing = table.outgoing;
+    result.table.outgoing.push_back(null_index);
+    for(const Piece_of_face& f : faces)
+    {
+      result.table.halfedges[f.first].source = w;
+      result.table.halfedges[f.first + 1].source = f.a;
+      result.table.halfedges[f.first + 2].source = f.b;
+    }
+    join_new_faces(result.table, joined);
+    result.points.reserve(pm.points().size() + 1);
+    result.points = pm.points();
+    result.points.push_back(p);
+    return result;
+  }
+
+  // ghosts follow all other elements, so they are made anew
+  std::vector<Index> corners;
+  corners.reserve(end);
+  for(Index h = 0; h < n; ++h)
+    corners.push_back(pm.source(h));
+  corners.resize(end);
+  for(const Piece_of_face& f : faces)
+  {
+    corners[f.first] = w;
+    corners[f.first + 1] = f.a;
+    corners[f.first + 2] = f.b;
+  }
+  result.points.assign(pm.points().begin(), pm.points().begin() + static_cast<std::ptrdiff_t>(w));
   result.points.push_back(p);
   result.table = make_corner_table(result.points.size(), corners, true);
-  if(has_border(result.table))
-    close_by_ghosts(result.table, result.points);
+  close_by_ghosts(result.table, result.points);
   return result;
 }
 

@@ -32,20 +32,19 @@ constexpr double angle_tolerance = 1e-10;
 class Length_unit
 {
 public:
+  // Linear in the number of vertices.
   explicit Length_unit(const Progressive_mesh& pm)
   {
-    double diagonal = 0;
-    for(int i = 0; i < 3; ++i)
-    {
-      double low = 0, high = 0;
-      for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+    double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, diagonal = 0;
+    for(Index v = 0; v < pm.number_of_vertex_ids(); ++v)
+      for(int i = 0; i < 3; ++i)
       {
         const double x = pm.point(v)[i];
-        low = v == 0 ? x : (std::min)(low, x);
-        high = v == 0 ? x : (std::max)(high, x);
+        low[i] = v == 0 ? x : (std::min)(low[i], x);
+        high[i] = v == 0 ? x : (std::max)(high[i], x);
       }
-      diagonal = std::hypot(diagonal, high - low);
-    }
+    for(int i = 0; i < 3; ++i)
+      diagonal = std::hypot(diagonal, high[i] - low[i]);
     m_scale = diagonal > 0 ? std::ldexp(1.0, 53) / diagonal : 1;
   }
 
