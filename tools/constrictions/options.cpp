@@ -557,6 +557,10 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
   add_threads(detect, options);
   add_selection_options(detect, options.selection);
   add_near_option(detect, options.search);
+  detect.add_flag(
+      "--prove-prominence", options.search.proves_prominence,
+      "add a lower bound of the prominence, which is proved: the table has it as \"at least\", JSON and CSV "
+      "as an interval");
   add_seeds(detect, options.search)->excludes("--near");
 
   CLI::App& girth = *app.add_subcommand("girth", "find the shortest loop around the limb through a place");

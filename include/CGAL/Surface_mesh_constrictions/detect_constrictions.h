@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/bound_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
@@ -49,7 +50,7 @@ struct Detection_near_parameters
   : Selection_on_mesh_parameters::With<internal_np::visitor_t, internal_np::get_cost_policy_t,
                                        internal_np::get_placement_policy_t, internal_np::simplification_policies_t,
                                        internal_np::tightening_schedule_t, internal_np::certify_t,
-                                       internal_np::certified_only_t>
+                                       internal_np::certified_only_t, internal_np::prove_prominence_t>
 {};
 
 struct Detection_parameters
@@ -201,6 +202,12 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{prove_prominence}
+///     \cgalParamDescription{whether the prominences of the selected constrictions are bounded from below, too:
+///                           `bound_prominences()`}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told of the progress, and at the end how the seeds ended}
 ///     \cgalParamType{a model of `ConstrictionDetectionVisitor`; it is copied}
@@ -249,6 +256,7 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
   const bool certified_only = choose_parameter(get_parameter(np, internal_np::certified_only), false);
   const bool selects_all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
+  const bool proves_prominence = choose_parameter(get_parameter(np, internal_np::prove_prominence), false);
   const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                                 default_maximum_isoperimetric_ratio);
   const bool with_rims = choose_parameter(get_parameter(np, internal_np::rim_constrictions), false);
@@ -324,6 +332,8 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
   internal::set_prominences(pm, sides, imported, traces, hierarchy.entries(found), constrictions);
   select_by_prominence_checked(constrictions, std::back_inserter(selected), np);
   statistics.not_selected += constrictions.size() - selected.size();
+  if(proves_prominence)
+    internal::set_prominence_intervals(pm, internal::traces_of(selected, imported, vim, pm), selected);
   visitor.on_stage_end(Detection_stage::SELECTION);
 
   visitor.on_end(statistics);

@@ -130,6 +130,7 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
       choose_parameter(get_parameter(np, internal_np::maximum_number_of_constrictions), no_limit);
   const double minimum_prominence = choose_parameter(get_parameter(np, internal_np::minimum_prominence), 0.0);
   const double minimum_isolation = choose_parameter(get_parameter(np, internal_np::minimum_isolation), 0.0);
+  const bool proves_prominence = choose_parameter(get_parameter(np, internal_np::prove_prominence), false);
 
   const internal::Query_location<TriangleMesh, std::decay_t<decltype(vpm)>> query(tm, vpm, location);
   const Index nearest = query.nearest_vertex();
@@ -139,7 +140,8 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
                                                                                         np);
   const auto selection = parameters::minimum_prominence(
       minimum_prominence,
-      parameters::minimum_isolation(minimum_isolation, parameters::maximum_number_of_constrictions(no_limit, kept)));
+      parameters::minimum_isolation(minimum_isolation, parameters::maximum_number_of_constrictions(
+                                                           no_limit, parameters::prove_prominence(false, kept))));
   std::vector<Constriction<TriangleMesh>> found;
   detect_constrictions_checked<ConcurrencyTag>(
       tm, std::back_inserter(found),
@@ -160,6 +162,8 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
 
   statistics.not_selected += found.size() - result.size();
   visitor.on_end(statistics);
+  if(proves_prominence)
+    return bound_prominences_checked(tm, result, out, np);
   return std::copy(result.begin(), result.end(), out);
 }
 
