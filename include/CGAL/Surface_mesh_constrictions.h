@@ -28,6 +28,7 @@
 #include <CGAL/Surface_mesh_constrictions/Surface_part.h>
 #include <CGAL/Surface_mesh_constrictions/Tightened_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
+#include <CGAL/Surface_mesh_constrictions/bound_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/boundary_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/carry_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>

@@ -641,6 +641,10 @@ void describe_program(CLI::App& app, Options& options, Words& words)
   add_threads(detect, options);
   add_selection_options(detect, options.selection);
   add_near_option(detect, options.search);
+  detect.add_flag(
+      "--prove-prominence", options.search.proves_prominence,
+      "add a lower bound of the prominence, which is proved: the table has it as \"at least\", JSON and CSV "
+      "as an interval");
   add_landmarks_option(detect, options)->excludes("--near")->excludes("--policy");
   add_seeds(detect, options.search)->excludes("--near")->excludes("--landmarks");
 

@@ -103,12 +103,15 @@ public:
     double boundary_share = 0;                                    ///< see `Constriction::boundary_share()`
     Certificate certificate;                                      ///< see `Constriction::certificate()`
     double prominence = std::numeric_limits<double>::quiet_NaN(); ///< see `Constriction::prominence()`
-    double isolation = std::numeric_limits<double>::quiet_NaN();  ///< see `Constriction::isolation()`
-    std::optional<std::size_t> dominated_by;                      ///< see `Constriction::dominated_by()`
-    std::optional<vertex_descriptor> slides_off;                  ///< see `Constriction::slides_off()`
-    std::vector<std::size_t> crosses;                             ///< see `Constriction::crosses()`
-    std::vector<std::size_t> crosses_oddly;                       ///< see `Constriction::crosses_oddly()`
-    std::vector<std::size_t> rivals;                              ///< see `Constriction::rivals()`
+    /// see `Constriction::prominence_interval()`
+    std::array<double, 2> prominence_interval = {
+        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()}};
+    double isolation = std::numeric_limits<double>::quiet_NaN(); ///< see `Constriction::isolation()`
+    std::optional<std::size_t> dominated_by;                     ///< see `Constriction::dominated_by()`
+    std::optional<vertex_descriptor> slides_off;                 ///< see `Constriction::slides_off()`
+    std::vector<std::size_t> crosses;                            ///< see `Constriction::crosses()`
+    std::vector<std::size_t> crosses_oddly;                      ///< see `Constriction::crosses_oddly()`
+    std::vector<std::size_t> rivals;                             ///< see `Constriction::rivals()`
   };
 
   /// an empty curve
@@ -192,6 +195,10 @@ public:
   /// how much longer the curve must become, relative to its length, before it can slide to a shorter place or off over
   /// a point; see `compute_prominences()`. NaN if it has not been computed.
   double prominence() const { return m_data->prominence; }
+
+  /// a proved lower bound and an upper bound of the prominence; see `bound_prominences()`. NaN if they have not been
+  /// computed.
+  const std::array<double, 2>& prominence_interval() const { return m_data->prominence_interval; }
 
   /// the least area that the curve must sweep to become the one that it is `dominated_by()`, divided by the squared
   /// length of the curve; infinite if it is dominated by none, or by one of another homology class. The isolation of a

@@ -27,7 +27,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -274,7 +273,7 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
   imported.rescale();
   const Progressive_mesh pm(std::move(imported.table), std::move(imported.points));
   std::vector<Constriction<TriangleMesh>> result(constrictions.begin(), constrictions.end());
-  const internal::Curves_on_copy<TriangleMesh, std::decay_t<decltype(vim)>> curves(result, imported, vim, pm);
+  const auto curves = internal::curves_on_copy(result, imported, vim, pm);
   const internal::Surface_sides sides(pm);
   internal::set_prominences(pm, sides, imported, curves.traces, internal::hierarchy(pm, sides, curves.arcs), result);
   return std::move(result.begin(), result.end(), out);

@@ -7,10 +7,12 @@
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/bound_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/compute_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/carry_seeds_to_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/constrictions_of_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Curves_on_copy.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/policies_asked_for.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
@@ -26,8 +28,10 @@
 
 #include <cstddef>
 #include <deque>
+#include <iterator>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,7 +44,8 @@ struct Detection_parameters
                                        internal_np::get_placement_policy_t, internal_np::simplification_policies_t,
                                        internal_np::tightening_schedule_t, internal_np::certify_t,
                                        internal_np::certified_only_t, internal_np::seed_sources_t,
-                                       internal_np::seed_detection_t, internal_np::first_constriction_only_t>
+                                       internal_np::seed_detection_t, internal_np::first_constriction_only_t,
+                                       internal_np::prove_prominence_t>
 {};
 
 // What `detect_constrictions()` does with arguments of the right kind.
@@ -187,6 +192,12 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{prove_prominence}
+///     \cgalParamDescription{whether the prominences of the selected constrictions are bounded from below, too:
+///                           `bound_prominences()`}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told of the progress, and at the end how the seeds ended}
 ///     \cgalParamType{a model of `ConstrictionDetectionVisitor`; it is copied}
@@ -232,6 +243,7 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
       choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm));
   const auto vim = CGAL::get_initialized_vertex_index_map(tm, np);
   const auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Detection_visitor_base());
+  const bool proves_prominence = choose_parameter(get_parameter(np, internal_np::prove_prominence), false);
 
   internal::Imported_mesh<TriangleMesh> imported(tm, vpm, vim);
   imported.rescale();
@@ -253,7 +265,12 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
   Detection_statistics statistics;
   const std::vector<Constriction<TriangleMesh>> constrictions = internal::constrictions_of_seeds<ConcurrencyTag>(
       imported, pm, levels, sides, vpm, carried, np, visitor, statistics);
-  return internal::write_selected(constrictions, out, np, visitor, statistics);
+  if(!proves_prominence)
+    return internal::write_selected(constrictions, out, np, visitor, statistics);
+  std::vector<Constriction<TriangleMesh>> selected;
+  internal::write_selected(constrictions, std::back_inserter(selected), np, visitor, statistics);
+  internal::set_prominence_intervals(pm, internal::curves_on_copy(selected, imported, vim, pm), selected);
+  return std::move(selected.begin(), selected.end(), out);
 }
 
 } // namespace internal

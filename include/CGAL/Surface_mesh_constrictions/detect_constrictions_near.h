@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
+#include <CGAL/Surface_mesh_constrictions/bound_prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Prepared_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/constrictions_near.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/given_location.h>
@@ -15,8 +16,10 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
+#include <iterator>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_constrictions {
@@ -24,7 +27,8 @@ namespace internal {
 
 struct Detection_near_parameters
   : Near_parameters::With<internal_np::vertex_point_t, internal_np::vertex_index_t, internal_np::get_cost_policy_t,
-                          internal_np::get_placement_policy_t, internal_np::simplification_policies_t>
+                          internal_np::get_placement_policy_t, internal_np::simplification_policies_t,
+                          internal_np::prove_prominence_t>
 {};
 
 // What `detect_constrictions_near()` does with arguments of the right kind.
@@ -129,7 +133,11 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
   given_point(prepared.imported(), location);
   prepared.template simplify<ConcurrencyTag>(std::get<0>(policies), blocks_asked_for<NamedParameters>(), false, visitor,
                                              append_collapses);
-  return write_constrictions_near<ConcurrencyTag>(prepared, location, out, np);
+  if(!choose_parameter(get_parameter(np, internal_np::prove_prominence), false))
+    return write_constrictions_near<ConcurrencyTag>(prepared, location, out, np);
+  std::vector<Constriction<TriangleMesh>> found;
+  write_constrictions_near<ConcurrencyTag>(prepared, location, std::back_inserter(found), np);
+  return bound_prominences_checked(tm, found, out, np);
 }
 
 } // namespace internal

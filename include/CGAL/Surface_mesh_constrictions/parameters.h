@@ -153,6 +153,12 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(all_constrictions)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(rim_constrictions)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Whether the prominences of the constrictions that are selected are bounded from below, too, as `bound_prominences()`
+/// does. Type: `bool`. Default: `false`.
+/// Accepted by `detect_constrictions()` and `detect_constrictions_near()`.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(prove_prominence)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// How many parts a surface is cut into at most. Type: `std::size_t`. Default: unset, all curves cut.
 /// Accepted by `segment_by_constrictions()` and `split_along_constrictions()`.
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(maximum_number_of_parts)

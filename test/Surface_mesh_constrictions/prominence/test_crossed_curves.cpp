@@ -43,11 +43,11 @@ TEST(CrossedCurves, TheDirectionsOfCurvesDoNotMatter)
     const Mesh mesh = real_meshes::read(name);
     const std::vector<SMC::Constriction<Mesh>> curves = detection::detect_all(mesh);
     const auto points = get(CGAL::vertex_point, mesh);
-    auto numbers = get(boost::vertex_index, mesh);
+    const auto numbers = get(boost::vertex_index, mesh);
     typedef SMC::internal::Imported_mesh<Mesh> Imported;
     Imported imported(mesh, points, numbers);
     const SMC::Progressive_mesh pm(imported.table, imported.points);
-    Traces traces = SMC::internal::Curves_on_copy<Mesh, decltype(numbers)>(curves, imported, numbers, pm).traces;
+    Traces traces = SMC::internal::curves_on_copy(curves, imported, numbers, pm).traces;
     const std::vector<std::vector<SMC::Index>> expected = crossings(pm, traces);
     std::size_t number = 0;
     for(const std::vector<SMC::Index>& e : expected)

@@ -341,6 +341,21 @@ TEST_F(Program, thresholds_select)
   EXPECT_NEAR(all[3], 26, 1e-12);
 }
 
+TEST_F(Program, an_interval_of_the_prominence_is_written_if_it_is_to_be_proved)
+{
+  EXPECT_EQ(json::parse(run("detect dumbbell.off --json -").out)["constrictions"][0].count("prominence_interval"), 0u);
+  const Result r = run("detect dumbbell.off --prove-prominence --json -");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const json curve = json::parse(r.out)["constrictions"][0], interval = curve.at("prominence_interval");
+  ASSERT_EQ(interval.size(), 2u);
+  EXPECT_GT(interval[0].get<double>(), 0);
+  EXPECT_LE(interval[0].get<double>(), interval[1].get<double>());
+  EXPECT_GE(interval[1].get<double>(), curve["prominence"].get<double>());
+  EXPECT_NE(run("detect dumbbell.off --prove-prominence").out.find("at least"), std::string::npos);
+  EXPECT_NE(run("detect dumbbell.off --prove-prominence --csv -").out.find(",prominence_low,prominence_high"),
+            std::string::npos);
+}
+
 // Two tubes, of width 1 and 2, between three boxes.
 TEST_F(Program, near_a_location)
 {

@@ -30,7 +30,7 @@ std::vector<Constriction> detect_as_asked(const Mesh& mesh, const Selection& sel
 
   typedef CGAL::Parallel_if_available_tag Concurrency;
   std::vector<Constriction> result;
-  const auto selected = with_selection(selection, np);
+  const auto selected = SMC::parameters::prove_prominence(search.proves_prominence, with_selection(selection, np));
   if(search.location)
   {
     const Mesh::Point location((*search.location)[0], (*search.location)[1], (*search.location)[2]);

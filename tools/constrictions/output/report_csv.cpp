@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -48,39 +50,46 @@ std::string field(const std::optional<Number>& number)
 
 // The columns of a curve, each with its name.
 std::vector<std::pair<const char*, std::string>> columns(std::size_t id, const Constriction& c,
-                                                         const std::string& verdict, const File_numbering& numbering)
+                                                         const std::string& verdict, const File_numbering& numbering,
+                                                         bool has_intervals)
 {
   std::optional<std::size_t> slides_off;
   if(c.slides_off())
     slides_off = numbering.vertex_of(*c.slides_off());
   const Constriction::Seed& seed = c.seeds().front();
-  return {{"id", field(id)},
-          {"length", field(c.length())},
-          {"diameter", field(c.diameter())},
-          {"centroid_x", field(c.centroid()[0])},
-          {"centroid_y", field(c.centroid()[1])},
-          {"centroid_z", field(c.centroid()[2])},
-          {"normal_x", field(c.normal()[0])},
-          {"normal_y", field(c.normal()[1])},
-          {"normal_z", field(c.normal()[2])},
-          {"prominence", field(c.prominence())},
-          {"isolation", field(c.isolation())},
-          {"roundness", field(c.roundness())},
-          {"isoperimetric_ratio", field(c.isoperimetric_ratio())},
-          {"left_area", field(c.areas()[0])},
-          {"right_area", field(c.areas()[1])},
-          {"left_genus", field(c.genera()[0])},
-          {"right_genus", field(c.genera()[1])},
-          {"separating", field(c.is_separating())},
-          {"side", field(side_name(c.side()))},
-          {"rim", field(c.is_rim())},
-          {"boundary_share", field(c.boundary_share())},
-          {"dominated_by", field(c.dominated_by())},
-          {"slides_off", field(slides_off)},
-          {"pivots", field(c.pivots().size())},
-          {"certificate", field(verdict)},
-          {"seed_level", field(seed.level)},
-          {"seed_origin", field(origin_name(seed.origin))}};
+  std::vector<std::pair<const char*, std::string>> result = {{"id", field(id)},
+                                                             {"length", field(c.length())},
+                                                             {"diameter", field(c.diameter())},
+                                                             {"centroid_x", field(c.centroid()[0])},
+                                                             {"centroid_y", field(c.centroid()[1])},
+                                                             {"centroid_z", field(c.centroid()[2])},
+                                                             {"normal_x", field(c.normal()[0])},
+                                                             {"normal_y", field(c.normal()[1])},
+                                                             {"normal_z", field(c.normal()[2])},
+                                                             {"prominence", field(c.prominence())},
+                                                             {"isolation", field(c.isolation())},
+                                                             {"roundness", field(c.roundness())},
+                                                             {"isoperimetric_ratio", field(c.isoperimetric_ratio())},
+                                                             {"left_area", field(c.areas()[0])},
+                                                             {"right_area", field(c.areas()[1])},
+                                                             {"left_genus", field(c.genera()[0])},
+                                                             {"right_genus", field(c.genera()[1])},
+                                                             {"separating", field(c.is_separating())},
+                                                             {"side", field(side_name(c.side()))},
+                                                             {"rim", field(c.is_rim())},
+                                                             {"boundary_share", field(c.boundary_share())},
+                                                             {"dominated_by", field(c.dominated_by())},
+                                                             {"slides_off", field(slides_off)},
+                                                             {"pivots", field(c.pivots().size())},
+                                                             {"certificate", field(verdict)},
+                                                             {"seed_level", field(seed.level)},
+                                                             {"seed_origin", field(origin_name(seed.origin))}};
+  if(has_intervals)
+  {
+    result.emplace_back("prominence_low", field(c.prominence_interval()[0]));
+    result.emplace_back("prominence_high", field(c.prominence_interval()[1]));
+  }
+  return result;
 }
 
 } // namespace
@@ -90,6 +99,8 @@ std::string report_as_csv(const Report& report)
   // an example of a curve has the names, also where no curve was found
   Constriction::Data example;
   example.seeds.push_back({0, {}, CGAL::Surface_mesh_constrictions::Seed_origin::USER});
+  const bool has_intervals = std::any_of(report.constrictions.begin(), report.constrictions.end(),
+                                         [](const Constriction& c) { return !std::isnan(c.prominence_interval()[0]); });
   std::string out;
   const auto add_line = [&out](const auto& line, const auto& text_of) {
     for(std::size_t i = 0; i < line.size(); ++i)
@@ -103,7 +114,7 @@ std::string report_as_csv(const Report& report)
       landmarks[id] = report.landmarks[i].landmark.name.empty() ? std::to_string(i) : report.landmarks[i].landmark.name;
   const auto line = [&](std::size_t id, const Constriction& c, const std::string& verdict,
                         const std::string& landmark) {
-    auto result = columns(id, c, verdict, report.file.numbering);
+    auto result = columns(id, c, verdict, report.file.numbering, has_intervals);
     if(!report.landmarks.empty())
       result.emplace_back("landmark", field(landmark));
     return result;

@@ -9,6 +9,7 @@
 
 #include <sys/resource.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -142,6 +143,8 @@ Json curve_as_json(const Report& report, std::size_t id)
                  {"diameter", c.diameter()},
                  {"normal", c.normal()},
                  {"seed", seed_as_json(c.seeds().front(), numbering)}};
+  if(!std::isnan(c.prominence_interval()[0]))
+    result["prominence_interval"] = c.prominence_interval();
   if(report.is_girth)
     result["held"] = held_as_json(report.loops[id], numbering);
   return result;

@@ -76,10 +76,12 @@ struct Column
 std::vector<Column> columns(const Report& report, std::size_t id, bool is_verbose)
 {
   const Constriction& c = report.constrictions[id];
+  const bool is_proved = !std::isnan(c.prominence_interval()[0]); // in place of the diameter, for the width
   const bool is_held = report.is_girth && !c.certificate().is_certified();
   std::vector<Column> result = {{"id", 3, std::to_string(id)},
                                 {"length", 12, with_digits(6, c.length())},
-                                {"diameter", 10, with_digits(4, c.diameter())},
+                                is_proved ? Column{"at least", 10, rounded(c.prominence_interval()[0])}
+                                          : Column{"diameter", 10, with_digits(4, c.diameter())},
                                 {"prominence", 11, prominence(c)},
                                 {"roundness", 10, rounded(c.roundness())},
                                 {"separating", 11,

@@ -96,6 +96,14 @@ private:
   std::unordered_map<std::size_t, Index> m_vertices; // by the user's index
 };
 
+template <class TriangleMesh, class VertexIndexMap>
+Curves_on_copy<TriangleMesh, VertexIndexMap> curves_on_copy(const std::vector<Constriction<TriangleMesh>>& constrictions,
+                                                            const Imported_mesh<TriangleMesh>& imported,
+                                                            VertexIndexMap vim, const Progressive_mesh& pm)
+{
+  return Curves_on_copy<TriangleMesh, VertexIndexMap>(constrictions, imported, vim, pm);
+}
+
 } // namespace internal
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL
