@@ -28,6 +28,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -151,8 +152,13 @@ inline bool run_curve_reader_target(const std::uint8_t* data, std::size_t size, 
   static const Body body = waist();
   // from a file, so that the corners of faces have the order of the file
   static const constrictions::Mesh mesh = [] {
-    const std::string text = constrictions::mesh_as_text(mesh_of(body), "mesh.off");
-    return constrictions::read_mesh_file(Temporary_file(".off", text.data(), text.size()).name());
+    std::ostringstream text;
+    text << "OFF\n" << body.points.size() << ' ' << body.faces.size() << " 0\n";
+    for(const auto& p : body.points)
+      text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+    for(const auto& f : body.faces)
+      text << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
+    return constrictions::read_mesh_file(Temporary_file(".off", text.str().data(), text.str().size()).name());
   }();
   constrictions::File_numbering numbering;
   numbering.vertices = mesh.number_of_vertices();

@@ -554,9 +554,8 @@ void check_files(const Options& options)
         throw CLI::ValidationError(name, "the output could overwrite the input");
 
   if(options.removes_handles())
-    for(const char* name :
-        {"handles.json", "without_handles.ply", "without_handles.stl", "without_handles.obj", "without_handles.glb",
-         "without_handles.3mf"})
+    for(const char* name : {"handles.json", "without_handles.ply", "without_handles.stl", "without_handles.obj",
+                            "without_handles.glb", "without_handles.3mf"})
       names.push_back(options.file_in_folder(name));
 
   std::vector<fs::path> places;
@@ -734,8 +733,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
     check_bounds(options.selection);
     if(options.segmentation.format == Part_format::THREE_MF && !has_zip())
       throw CLI::ValidationError("--format", "this program was built without libzip, which writes 3MF files");
-    if(options.command == Command::TIGHTEN && options.loops.empty() && options.places.empty() &&
-       options.labels.empty())
+    if(options.command == Command::TIGHTEN && options.loops.empty() && options.places.empty() && options.labels.empty())
       throw CLI::RequiredError("--loops, --through or --labels");
     if(options.command == Command::GIRTH && !options.girth.location && options.landmarks.empty())
       throw CLI::RequiredError("--at or --landmarks");

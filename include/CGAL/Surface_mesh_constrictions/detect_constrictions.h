@@ -40,12 +40,11 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 struct Detection_parameters
-  : Selection_on_mesh_parameters::With<internal_np::visitor_t, internal_np::get_cost_policy_t,
-                                       internal_np::get_placement_policy_t, internal_np::simplification_policies_t,
-                                       internal_np::tightening_schedule_t, internal_np::certify_t,
-                                       internal_np::certified_only_t, internal_np::seed_sources_t,
-                                       internal_np::seed_detection_t, internal_np::first_constriction_only_t,
-                                       internal_np::prove_prominence_t>
+  : Selection_on_mesh_parameters::With<
+        internal_np::visitor_t, internal_np::get_cost_policy_t, internal_np::get_placement_policy_t,
+        internal_np::simplification_policies_t, internal_np::tightening_schedule_t, internal_np::certify_t,
+        internal_np::certified_only_t, internal_np::seed_sources_t, internal_np::seed_detection_t,
+        internal_np::first_constriction_only_t, internal_np::prove_prominence_t>
 {};
 
 // What `detect_constrictions()` does with arguments of the right kind.

@@ -97,9 +97,9 @@ private:
 };
 
 template <class TriangleMesh, class VertexIndexMap>
-Curves_on_copy<TriangleMesh, VertexIndexMap> curves_on_copy(const std::vector<Constriction<TriangleMesh>>& constrictions,
-                                                            const Imported_mesh<TriangleMesh>& imported,
-                                                            VertexIndexMap vim, const Progressive_mesh& pm)
+Curves_on_copy<TriangleMesh, VertexIndexMap>
+curves_on_copy(const std::vector<Constriction<TriangleMesh>>& constrictions,
+               const Imported_mesh<TriangleMesh>& imported, VertexIndexMap vim, const Progressive_mesh& pm)
 {
   return Curves_on_copy<TriangleMesh, VertexIndexMap>(constrictions, imported, vim, pm);
 }
