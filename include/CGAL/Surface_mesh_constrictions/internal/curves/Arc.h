@@ -25,11 +25,6 @@ namespace internal {
 // A sequence of crossed halfedges. Each is crossed from its own face to the opposite one.
 typedef std::vector<Index> Strip;
 
-<<<<<<< HEAD
-// A piece of a curve on a progressive mesh between two pivots, measured.
-struct Arc : Combinatorial_arc<Index, Index, boost::container::small_vector<Index, 6>>
-{
-=======
 // The crossed halfedges of an arc; a few are stored in place. Boost's small_vector forgets its place when its elements are
 // moved away, so that it allocates memory when others are moved to it, in an assignment that promises not to throw: where
 // there is no memory the program ends. This assignment constructs it anew, in which case small_vector allocates nothing.
@@ -54,15 +49,9 @@ public:
   ~Arc_crossings() = default;
 };
 
-// The piece of a curve between two consecutive pivots: it runs along an edge, or straight through the strip of faces
-// between the crossed halfedges. The first crossed halfedge is opposite to `from` in its face, the last one opposite
-// to `to` in the face that it is crossed to.
-struct Arc
+// A piece of a curve on a progressive mesh between two pivots, measured.
+struct Arc : Combinatorial_arc<Index, Index, Arc_crossings>
 {
-  Index from = null_index, to = null_index;
-  Index along = null_index; // the edge's halfedge out of `from`, or null_index
-  Arc_crossings crossings;  // empty if the arc runs along an edge
->>>>>>> refs/heads/fuzz
   double length = 0;
   double start_angle = 0; // at `from`, counterclockwise from start_halfedge() to the arc
   double end_angle = 0;   // at `to`, counterclockwise from end_halfedge() to the arc
