@@ -67,8 +67,9 @@ struct Tightening_query_parameters : Known_parameters<internal_np::certify_t>
 /// A triangle mesh that is prepared once and asked many times: for its constrictions, for those near a location, for
 /// the girth at a location, and to tighten closed curves.
 ///
-/// The constructor copies the mesh, simplifies the copy, finds seed curves, and keeps some levels of the simplification.
-/// Each query gives the same answer as the function that it is named after, and pays for what it touches:
+/// The constructor copies the mesh, simplifies the copy, finds seed curves, and keeps some levels of the
+/// simplification. Each query gives the same answer as the function that it is named after, and pays for what it
+/// touches:
 /// - `constrictions()`: `detect_constrictions()`
 /// - `constrictions_near()`: `detect_constrictions_near()`
 /// - `geodesic_loops()` and `girth()`: `geodesic_loops_at_location()`
@@ -81,8 +82,8 @@ struct Tightening_query_parameters : Known_parameters<internal_np::certify_t>
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam ConcurrencyTag enables sequential versus parallel algorithm, in the constructor and in `constrictions()`:
 ///         `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`. The answers are the same.
-/// \tparam VertexPointMap a model of `ReadablePropertyMap` whose key type is the vertex descriptor of `TriangleMesh` and
-///         whose value type is a 3D point
+/// \tparam VertexPointMap a model of `ReadablePropertyMap` whose key type is the vertex descriptor of `TriangleMesh`
+///         and whose value type is a 3D point
 ///
 /// \cost Memory: about 140 bytes a face of a large closed mesh, plus the seed curves and the constrictions found
 template <class TriangleMesh, class ConcurrencyTag = Sequential_tag,
@@ -298,8 +299,8 @@ public:
     return result.front();
   }
 
-  /// joins three or more locations by geodesics, in their order and back to the first, as `geodesic_loop_through_locations()`
-  /// does.
+  /// joins three or more locations by geodesics, in their order and back to the first, as
+  /// `geodesic_loop_through_locations()` does.
   ///
   /// \tparam LocationRange a range of vertex descriptors, of `Face_location`, or of 3D points of any kernel
   /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -308,10 +309,10 @@ public:
   /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" that may have `certify`
   ///
   /// \return the loop, and what it becomes when it is let go
-  /// \throws Invalid_input for locations that cannot be used, as `geodesic_loop_through_locations()`, and, with `certify`, for a
-  ///         coordinate that is not a rational number of moderate size
-  /// \cost that of `geodesic_loop_through_locations()` without that of the mesh. A location that is not a vertex costs a copy of
-  ///       the mesh's connectivity and points.
+  /// \throws Invalid_input for locations that cannot be used, as `geodesic_loop_through_locations()`, and, with
+  ///         `certify`, for a coordinate that is not a rational number of moderate size
+  /// \cost that of `geodesic_loop_through_locations()` without that of the mesh. A location that is not a vertex costs
+  ///       a copy of the mesh's connectivity and points.
   template <class LocationRange, class NamedParameters = CGAL::parameters::Default_named_parameters>
   Loop_through_locations<TriangleMesh>
   loop_through(const LocationRange& locations, const NamedParameters& np = CGAL::parameters::default_values()) const

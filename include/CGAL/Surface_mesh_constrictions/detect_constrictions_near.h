@@ -41,12 +41,13 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// finds the constrictions around a location: "the loop around this arm".
 ///
-/// The seeds are the loops of `Local_cut_locus_seeds` at the vertex of `tm` that is nearest to `location`; and, on a mesh
-/// with holes, the boundaries of the three nearest holes, `Local_boundary_seeds`. Of the constrictions that they lead to
-/// those are written that are around the location, so that where nothing is narrow there are none: those that pass it, at
-/// a distance of at most a twentieth of their length; those that are no longer than 1.5 times the girth at the location,
-/// as the level of 1000 vertices tells it, and no further away than their length; and, where no loop holds at the
-/// location, those that cut it off, on the side of lesser area. Of two that cross the nearer one is written.
+/// The seeds are the loops of `Local_cut_locus_seeds` at the vertex of `tm` that is nearest to `location`; and, on a
+/// mesh with holes, the boundaries of the three nearest holes, `Local_boundary_seeds`. Of the constrictions that they
+/// lead to those are written that are around the location, so that where nothing is narrow there are none: those that
+/// pass it, at a distance of at most a twentieth of their length; those that are no longer than 1.5 times the girth at
+/// the location, as the level of 1000 vertices tells it (where limbs meet, the greatest one), and no further away than
+/// their length; and, where no loop holds at the location, those that cut it off, on the side of lesser area. Of two
+/// that cross the nearer one is written.
 ///
 /// They are written in ascending order of \f$d (1 + d/L) + L/10\f$, where \f$L\f$ is the length of the curve and
 /// \f$d\f$ its distance in space from the location, less the width of its flat band. So the nearest comes first; of two
@@ -62,8 +63,8 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
 /// \param tm a triangle mesh, as for `detect_constrictions()`
 /// \param location a point on the surface or near it
 /// \param out the constrictions, the nearest first. The places that `Constriction::dominated_by()` and
-///        `Constriction::crosses()` name are those in this sequence; a constriction slides to one that is not in it, too,
-///        and then has no dominating one.
+///        `Constriction::crosses()` name are those in this sequence; a constriction slides to one that is not in it,
+///        too, and then has no dominating one.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of
 ///        `detect_constrictions()` but for `seed_sources`, `seed_detection`, `tightening_schedule` and
 ///        `first_constriction_only`; of the simplification policies one can be given. There are these differences:
@@ -95,7 +96,8 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
 /// \return the output iterator, past the last constriction
 /// \throws Invalid_input as `detect_constrictions()`, and for a location with a coordinate that is not a finite number
 /// \throws exceptions of the visitor; then nothing has been written
-/// \cost hardly more than that of the simplification, O(n log n) for n faces; see `Constriction_query` for many locations
+/// \cost hardly more than that of the simplification, O(n log n) for n faces; see `Constriction_query` for many
+///        locations
 ///
 /// \sa `Constriction_query`
 /// \sa `detect_constrictions()`

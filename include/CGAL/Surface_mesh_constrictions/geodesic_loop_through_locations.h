@@ -32,9 +32,9 @@ Loop_through_locations<TriangleMesh> geodesic_loop_through_locations_checked(con
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// joins a few locations of a mesh by geodesics, in their order and back to the first, and tightens the closed curve.
 ///
-/// Each two locations that follow each other are joined by the shortest path of edges, which is then tightened with both
-/// ends held. So the curve is bent at the locations at most, and close to a curve through them no shorter one is found.
-/// `Loop_through_locations::let_go` is what it becomes when it is let go at the locations, too: see
+/// Each two locations that follow each other are joined by the shortest path of edges, which is then tightened with
+/// both ends held. So the curve is bent at the locations at most, and close to a curve through them no shorter one is
+/// found. `Loop_through_locations::let_go` is what it becomes when it is let go at the locations, too: see
 /// `tighten_closed_curve()`. Consecutive vertices that an edge joins are joined by that edge, so that an open path of
 /// edges, given by its vertices, is closed by the way from its end to its beginning.
 ///
@@ -69,8 +69,8 @@ Loop_through_locations<TriangleMesh> geodesic_loop_through_locations_checked(con
 /// \cgalNamedParamsEnd
 ///
 /// \return the loop
-/// \throws Invalid_input for a mesh that cannot be used; for fewer than three locations, for one that is the same as the
-///         one before or on another connected component, and for one that is not on the mesh, as
+/// \throws Invalid_input for a mesh that cannot be used; for fewer than three locations, for one that is the same as
+///         the one before or on another connected component, and for one that is not on the mesh, as
 ///         `geodesic_loops_at_location()`: `Invalid_input::element()` is its number; and, with `certify`, for a
 ///         coordinate that is not a rational number of moderate size
 /// \cost linear in the size of the mesh, for each location inside a face or on an edge once more; plus, for each

@@ -18,8 +18,8 @@ struct Landmark
   std::array<double, 3> location;
 };
 
-/// reads places from a file of comma-separated values: a line each, with the coordinates `x,y,z`, or a name before them.
-/// The first line may have the names of the columns. Empty lines and lines that start with # are skipped.
+/// reads places from a file of comma-separated values: a line each, with the coordinates `x,y,z`, or a name before
+/// them. The first line may have the names of the columns. Empty lines and lines that start with # are skipped.
 ///
 /// Throws `Input_file_error`, with the number of the line, for anything else, and if there is no place.
 std::vector<Landmark> read_landmarks_file(const std::string& name);

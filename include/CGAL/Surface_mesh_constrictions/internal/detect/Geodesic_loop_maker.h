@@ -50,8 +50,8 @@ public:
       m_tightener(m_imported, m_pm, prepared.vertex_point_map(), prepared.length_unit(), m_sides, certifies)
   {}
 
-  // Of a geodesic loop of the surface with the location, at which it starts. Cost: that of `Constriction_maker::make()`,
-  // plus that of tightening the loop when it is let go.
+  // Of a geodesic loop of the surface with the location, at which it starts. Cost: that of
+  // `Constriction_maker::make()`, plus that of tightening the loop when it is let go.
   Result make(const std::vector<Arc>& loop)
   {
     Result result;

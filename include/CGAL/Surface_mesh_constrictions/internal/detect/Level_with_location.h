@@ -48,8 +48,8 @@ inline Surface_location location_around(const Progressive_mesh& pm, Index vertex
   return nearest;
 }
 
-// A level with the point put in that is nearest to a location of the input, on the faces around a vertex, the one that the
-// location's nearest vertex has been merged into.
+// A level with the point put in that is nearest to a location of the input, on the faces around a vertex, the one that
+// the location's nearest vertex has been merged into.
 class Level_with_location
 {
 public:

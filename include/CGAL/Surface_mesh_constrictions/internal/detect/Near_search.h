@@ -41,6 +41,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/tighten_paths.h>
 
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -63,6 +64,8 @@ namespace internal {
 constexpr double most_girths = 1.5, greatest_distance = 1;
 // or if it passes the location at no more than this share of its length.
 constexpr double passing_distance = 0.05;
+// A loop with this angle, in radians, is hardly bent at the location.
+constexpr double least_straight_angle = 5 * CGAL_PI / 6;
 // On a level lengths and distances are known up to this factor.
 constexpr double level_slack = 1.25;
 
@@ -131,8 +134,9 @@ private:
   // How many loops the girth is looked for among.
   static constexpr std::size_t most_girth_seeds = 512;
 
-  // The length of the shortest loop that is held at the location, as the seeding level tells, and is not folded there; or
-  // that of the shortest folded one, as beside a limb; infinite if no loop holds.
+  // The girth at the location, as the seeding level tells: the length of the longest loop held there that is hardly
+  // bent there, since where limbs meet there are several; or else of the shortest one that is not folded; or else, as
+  // beside a limb, of the shortest one; infinite if no loop holds.
   double girth(const Progressive_mesh::Point& location) const
   {
     const Held_level& level = m_prepared.seeding();
@@ -143,13 +147,18 @@ private:
     for(const std::vector<Index>& path : loops_at_vertex(coarse, with.vertex(), most_girth_seeds))
       curves.insert(path);
     constexpr double infinity = (std::numeric_limits<double>::infinity)();
-    double least = infinity, least_folded = infinity;
+    double longest = 0, least = infinity, least_folded = infinity;
     for(const std::vector<Arc>& arcs : curves.ends())
-      if(total_length(arcs) < (std::min)(least, least_folded) && is_held_loop(coarse, arcs, 0))
-        (is_held_loop(coarse, arcs, least_loop_angle) ? least : least_folded) = total_length(arcs);
-      else if(total_length(arcs) < least && is_held_loop(coarse, arcs, least_loop_angle))
-        least = total_length(arcs);
-    return least < infinity ? least : least_folded;
+    {
+      const double length = total_length(arcs);
+      if(length > longest && is_held_loop(coarse, arcs, least_straight_angle))
+        longest = length;
+      else if(length < least && is_held_loop(coarse, arcs, least_loop_angle))
+        least = length;
+      else if(length < least_folded && is_held_loop(coarse, arcs, 0))
+        least_folded = length;
+    }
+    return longest > 0 ? longest : least < infinity ? least : least_folded;
   }
 
   // Loops of edges of the seeding level, and the seeds that they are.
@@ -426,7 +435,8 @@ private:
     bool is_done;
   };
 
-  // The nearest candidate that is not done; null if there is none, or if one that waits on the last level may be nearer.
+  // The nearest candidate that is not done; null if there is none, or if one that waits on the last level may be
+  // nearer.
   Candidate* next_candidate(std::size_t waiting)
   {
     const auto is_later = [](const Candidate& a, const Candidate& b) {

@@ -91,8 +91,8 @@ struct Seeds_on_input
   }
 };
 
-// Carries seeds without straightening them to T^0, which `pm` is at afterwards, as far as the named parameters may select
-// what they lead to: appends them to those that have been carried.
+// Carries seeds without straightening them to T^0, which `pm` is at afterwards, as far as the named parameters may
+// select what they lead to: appends them to those that have been carried.
 template <class ConcurrencyTag, class NamedParameters, class Visitor>
 void carry_unstraightened(Progressive_mesh& pm, std::vector<Seed_curve> seeds, const NamedParameters& np,
                           const Visitor& visitor, Seeds_on_input& all)

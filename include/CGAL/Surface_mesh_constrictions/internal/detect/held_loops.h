@@ -164,8 +164,8 @@ inline void sort_by_length(std::vector<std::vector<Arc>>& loops)
 
 // The simple geodesic loops at a vertex that result from loops of edges, tightened while they are held at the vertex.
 // Only those with at least the given angle at the vertex, each once, the shortest first. Each starts at the vertex.
-// `unit` of the surface. Cost: O(n log n) for the loops of edges, plus that of tightening each until it meets the way of
-// another one.
+// `unit` of the surface. Cost: O(n log n) for the loops of edges, plus that of tightening each until it meets the way
+// of another one.
 inline std::vector<std::vector<Arc>> held_loops(const Progressive_mesh& pm, Index vertex, double minimum_angle,
                                                 const Length_unit& unit)
 {
@@ -211,8 +211,8 @@ struct Level_loop
 };
 
 // The loops of a level at a location, found among so many vertices and loops of edges: those that are simple and have a
-// certain angle, and those that are or have not. `nearest` is a vertex of T^0 at the location or joined to it. Cost: that
-// of `Loops_at_vertex` on the level, plus that of tightening each loop until it meets the way of another one.
+// certain angle, and those that are or have not. `nearest` is a vertex of T^0 at the location or joined to it. Cost:
+// that of `Loops_at_vertex` on the level, plus that of tightening each loop until it meets the way of another one.
 inline void find_loops_on_level(const Level_copy& level, Index nearest, const Progressive_mesh::Point& location,
                                 std::size_t most_vertices, std::size_t most_loops, double minimum_angle,
                                 std::vector<Level_loop>& loops, std::vector<Level_loop>& doubtful)
@@ -279,12 +279,12 @@ private:
   Paths_to_finer_level m_to_input;
 };
 
-// The same on a large surface, `pm`, which is that of `prepared` or that with `vertex` put in. The loops are looked for on
-// a level, and around the vertex alone, as small ones may be too small for that level, on the finer levels and on the
-// surface itself. Those that are tight on a level, the shortest first, are led to the surface and tightened again, as far
-// as they may be among the shortest. `nearest` is a vertex of T^0 at `vertex` or joined to it. At most `maximum_number`
-// loops. Cost: that of `find_loops_on_level()` for each level; plus, for each loop that is led to the surface, that of
-// `Paths_to_finer_level` and of tightening it.
+// The same on a large surface, `pm`, which is that of `prepared` or that with `vertex` put in. The loops are looked for
+// on a level, and around the vertex alone, as small ones may be too small for that level, on the finer levels and on
+// the surface itself. Those that are tight on a level, the shortest first, are led to the surface and tightened again,
+// as far as they may be among the shortest. `nearest` is a vertex of T^0 at `vertex` or joined to it. At most
+// `maximum_number` loops. Cost: that of `find_loops_on_level()` for each level; plus, for each loop that is led to the
+// surface, that of `Paths_to_finer_level` and of tightening it.
 template <class TriangleMesh, class VertexPointMap>
 std::vector<std::vector<Arc>> held_loops_of_levels(const Prepared_surface<TriangleMesh, VertexPointMap>& prepared,
                                                    const Progressive_mesh& pm, Index vertex, Index nearest,

@@ -53,8 +53,8 @@ std::vector<Surface_location> given_locations(const Prepared_surface<TriangleMes
 }
 
 // The loop through locations of a prepared surface. Throws Invalid_input, with the number of the location, if one is
-// that before it, or is on another connected component. Cost: that of `geodesic_loop_through_locations()` without that of
-// preparing the mesh.
+// that before it, or is on another connected component. Cost: that of `geodesic_loop_through_locations()` without that
+// of preparing the mesh.
 template <class TriangleMesh, class VertexPointMap>
 Loop_through_locations<TriangleMesh> loop_through(const Prepared_surface<TriangleMesh, VertexPointMap>& prepared,
                                                   const std::vector<Surface_location>& locations, bool certifies)

@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Loops of edges through one vertex, the root, one for each kind of geodesic loop at the root: the shortest paths to the
-// two ends of an edge, and the edge. On smooth surfaces, geodesic loops at a point go through the local minima of the
-// distance from it along its cut locus, which are the saddles of the distance.
+// Loops of edges through one vertex, the root, one for each kind of geodesic loop at the root: the shortest paths to
+// the two ends of an edge, and the edge. On smooth surfaces, geodesic loops at a point go through the local minima of
+// the distance from it along its cut locus, which are the saddles of the distance.
 //
 // Process the surface from far to near. The processed part begins as a region around each tip and each hole. At a
 // saddle two regions become one; the loop there encloses either of them. Its persistence is how much longer the loops
@@ -29,9 +29,9 @@ namespace internal {
 // persistence. Once all regions are one, a loop that joins it to itself is not contractible. These loops are a greedy
 // homotopy basis (Erickson and Whittlesey 2005), and all of them are taken.
 //
-// Only the vertices that are nearest to the root, along edges, are looked at, so many of them at most. All that is beyond
-// is one region, like a hole. So the loops around a limb that leads out of that part are of those that join a region to
-// itself, if they are shorter than twice the distance of what is beyond.
+// Only the vertices that are nearest to the root, along edges, are looked at, so many of them at most. All that is
+// beyond is one region, like a hole. So the loops around a limb that leads out of that part are of those that join a
+// region to itself, if they are shorter than twice the distance of what is beyond.
 class Loops_at_vertex
 {
 public:

@@ -51,8 +51,8 @@ auto policies_asked_for(const NamedParameters& np)
     return as_tuple(Garland_heckbert_policies());
 }
 
-// Whether a large mesh is simplified in blocks. Costs and placements that are given as they are may know the vertices of
-// the mesh by number.
+// Whether a large mesh is simplified in blocks. Costs and placements that are given as they are may know the vertices
+// of the mesh by number.
 template <class NamedParameters>
 std::optional<Block_simplification> blocks_asked_for()
 {

@@ -13,8 +13,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The lengths of the edges of a surface that stays at its level, each computed when it is first read; infinite for those
-// of ghost vertices. Several threads may read them at a time. Memory: 8 bytes for each halfedge that is read.
+// The lengths of the edges of a surface that stays at its level, each computed when it is first read; infinite for
+// those of ghost vertices. Several threads may read them at a time. Memory: 8 bytes for each halfedge that is read.
 class Edge_lengths
 {
 public:

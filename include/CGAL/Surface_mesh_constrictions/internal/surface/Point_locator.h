@@ -26,8 +26,8 @@ class Point_locator
   typedef Progressive_mesh::Point Point;
 
 public:
-  // `cluster_of[v]` is less than `clusters`, or null_index for a vertex that is not to be found. Linear. Memory: 4 bytes
-  // a vertex.
+  // `cluster_of[v]` is less than `clusters`, or null_index for a vertex that is not to be found. Linear. Memory: 4
+  // bytes a vertex.
   Point_locator(const Progressive_mesh& pm, const std::vector<Index>& cluster_of, std::size_t clusters)
     : m_pm(pm), m_begin(clusters + 1, 0), m_balls(clusters)
   {

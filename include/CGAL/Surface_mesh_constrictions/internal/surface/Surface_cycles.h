@@ -115,8 +115,8 @@ public:
     return sum;
   }
 
-  // Whether a simple closed path that bounds has a face of its component on its left. The sum of the subtrees beside the
-  // path counts the faces on the left once more often than those on the right. Linear in the path.
+  // Whether a simple closed path that bounds has a face of its component on its left. The sum of the subtrees beside
+  // the path counts the faces on the left once more often than those on the right. Linear in the path.
   bool is_on_left(const std::vector<Index>& path, Index f) const
   {
     double sum = 0;

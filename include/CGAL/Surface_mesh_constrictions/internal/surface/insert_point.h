@@ -133,9 +133,9 @@ inline void join_new_faces(Corner_table& table, const std::vector<std::pair<Inde
       set_outgoing(h);
 }
 
-// Puts a point of T^0 in as a vertex: its face falls into three, or the two faces at its edge into two each. Their first
-// pieces keep the numbers. Linear in the size of the surface, for the copy; on a closed surface the rest depends on the
-// degrees of the corners alone.
+// Puts a point of T^0 in as a vertex: its face falls into three, or the two faces at its edge into two each. Their
+// first pieces keep the numbers. Linear in the size of the surface, for the copy; on a closed surface the rest depends
+// on the degrees of the corners alone.
 inline Surface_with_point insert_point(const Progressive_mesh& pm, const Surface_location& location)
 {
   const Corner_table& table = pm.connectivity();
