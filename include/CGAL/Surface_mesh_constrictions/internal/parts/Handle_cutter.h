@@ -97,6 +97,7 @@ public:
       {
         for(halfedge_descriptor h : holes[side])
           sides[side].corners.push_back(point(h));
+        sides[side].ascends = side == 1; // the halfedges of a hole run against the curve beside the cut
         sides[side].origins = origins_of_hole(origins[2 * i + side], side, polygon.size());
       }
       for(std::vector<face_descriptor>& cap : close(polygon, sides, holes))

@@ -2,6 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PARTS_TWIN_CAPS_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PARTS_TWIN_CAPS_H
 
+#include <CGAL/Surface_mesh_constrictions/internal/parts/best_diagonals.h>
 #include <CGAL/Surface_mesh_constrictions/internal/parts/triangulate_cap.h>
 
 #include <algorithm>
@@ -22,13 +23,16 @@ typedef std::set<std::array<std::size_t, 2>> Diagonals;
 struct Polygon_beside
 {
   Cap_polygon corners;
-  std::vector<std::size_t>
-      origins; // of each corner, the corner of the curve that it belongs to, ascending or descending
+
+  // of each corner the corner of the curve that it belongs to, in cyclic order; those of which this is no such number
+  // belong to none
+  std::vector<std::size_t> origins;
+  bool ascends; // whether they ascend
 };
 
 // The triangulations of two polygons on the two sides of a curve by the same pattern, that of a triangulation of the
 // curve: if they were triangulated separately, two that are close to each other would intersect. Where several corners
-// belong to a corner of the curve, the middle one has its place in the pattern, and the others are cut off.
+// belong to a corner of the curve, the middle one has its place in the pattern.
 class Twin_caps
 {
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -49,9 +53,7 @@ public:
     {
       const std::size_t n = beside[side].corners.size();
       for(const std::array<std::size_t, 3>& t : pattern)
-        for(std::size_t i = 0; i < 3; ++i)
-          insert(corner[side][t[i]], corner[side][t[(i + 1) % 3]], n, m_diagonals[side]);
-      cut_off_others(side, beside[side].corners, corner[side], is_edge);
+        add_triangle(side, beside[side], corner[side], t);
       m_are_found = m_are_found && m_diagonals[side].size() + 3 == n &&
                     std::none_of(m_diagonals[side].begin(), m_diagonals[side].end(),
                                  [&](const auto& d) { return is_edge(side, d[0], d[1]); });
@@ -89,30 +91,33 @@ private:
       diagonals.insert({{low, high}});
   }
 
-  // Triangulates what is between the polygon and the corners that are in the pattern.
-  template <class IsEdge>
-  void cut_off_others(std::size_t side, const Cap_polygon& corners, std::vector<std::size_t> in_pattern,
-                      const IsEdge& is_edge)
+  // Adds a triangle of the pattern, with what lies between it and the polygon. There the best triangles are taken: thin
+  // ones would lie close to the surface, and some of them in it.
+  void add_triangle(std::size_t side, const Polygon_beside& polygon, const std::vector<std::size_t>& corner,
+                    const std::array<std::size_t, 3>& triangle)
   {
-    std::sort(in_pattern.begin(), in_pattern.end());
-    in_pattern.erase(std::unique(in_pattern.begin(), in_pattern.end()), in_pattern.end());
-    const std::size_t n = corners.size();
-    for(std::size_t i = 0; i < in_pattern.size(); ++i)
+    const std::size_t n = polygon.corners.size(), size = corner.size();
+    std::vector<std::size_t> piece;
+    for(std::size_t i = 0; i < 3; ++i)
     {
-      const std::size_t first = in_pattern[i], last = i + 1 < in_pattern.size() ? in_pattern[i + 1] : in_pattern[0] + n;
-      if(last - first < 2)
-        continue;
-      insert(first, last % n, n, m_diagonals[side]);
-      Cap_polygon piece;
-      for(std::size_t k = first; k <= last; ++k)
-        piece.push_back(corners[k % n]);
-      const Cap_triangles triangles = least_triangulation(
-          piece, [&](std::size_t a, std::size_t b) { return is_edge(side, (first + a) % n, (first + b) % n); });
-      m_are_found = m_are_found && !triangles.empty();
-      for(const std::array<std::size_t, 3>& t : triangles)
-        for(std::size_t k = 0; k < 3; ++k)
-          insert((first + t[k]) % n, (first + t[(k + 1) % 3]) % n, n, m_diagonals[side]);
+      const std::size_t from = triangle[i], to = triangle[(i + 1) % 3];
+      if((from + 1) % size == to)
+        for(std::size_t k = corner[from]; k != corner[to]; k = (k + (polygon.ascends ? 1 : n - 1)) % n)
+          piece.push_back(k);
+      else
+      {
+        if(corner[from] != corner[to])
+          piece.push_back(corner[from]);
+        insert(corner[from], corner[to], n, m_diagonals[side]);
+      }
     }
+    if(piece.size() < 4)
+      return;
+    Cap_polygon points;
+    for(std::size_t k : piece)
+      points.push_back(polygon.corners[k]);
+    for(const std::array<std::size_t, 2>& d : best_diagonals(points))
+      insert(piece[d[0]], piece[d[1]], n, m_diagonals[side]);
   }
 
   bool m_are_found = false;
