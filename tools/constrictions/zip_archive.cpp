@@ -52,7 +52,7 @@ Zip_archive::~Zip_archive() = default;
 
 std::string Zip_archive::content(const std::string& name) const
 {
-  const std::string place = "file " + quoted(name) + " in it ";
+  const std::string place = "file " + constrictions::quoted(name) + " in it ";
   zip_stat_t stat;
   zip_stat_init(&stat);
   if(zip_stat(m_archive->zip, name.c_str(), ZIP_FL_NOCASE, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0)
