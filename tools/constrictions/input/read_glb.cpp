@@ -280,7 +280,7 @@ private:
     std::vector<Index> numbers;
     for(std::size_t i = 0; i < corners.size(); ++i)
       numbers.push_back(static_cast<Index>(
-          first + checked_index(m_soup.number_of_faces() + i / 3, static_cast<long long>(corners[i]), vertices)));
+          first + checked_index(m_soup.number_of_faces() + i / 3, as_integer(corners[i]), vertices)));
     add_faces(numbers, mode, where, map.is_mirroring());
   }
 
@@ -314,6 +314,13 @@ private:
     // the outside stays outside
     for(std::size_t i = first_corner; is_mirrored && i < m_soup.corners.size(); i += 3)
       std::swap(m_soup.corners[i + 1], m_soup.corners[i + 2]);
+  }
+
+  // -1 if it is none
+  static long long as_integer(double x)
+  {
+    const double largest = 1e15;
+    return std::abs(x) < largest && x == std::floor(x) ? static_cast<long long>(x) : -1;
   }
 
   Number_type type_of(std::size_t component, const std::string& where) const
@@ -405,7 +412,7 @@ private:
     const std::vector<double> values = read_view(sparse["values"], n, components, type, where);
     for(std::size_t i = 0; i < n; ++i)
     {
-      const std::size_t at = static_cast<std::size_t>((std::max)(places[i], 0.));
+      const std::size_t at = static_cast<std::size_t>(as_integer(places[i]));
       if(at >= numbers.size() / components)
         m_file.fail(where + "there is no element " + std::to_string(at));
       std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * components), components,
