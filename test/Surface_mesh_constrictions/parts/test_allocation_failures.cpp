@@ -5,7 +5,6 @@
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/segment_by_constrictions.h>
-#include <CGAL/Surface_mesh_constrictions/split_along_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 
 #include <CGAL/property_map.h>
@@ -133,16 +132,6 @@ TEST_F(AllocationFailures, WhileASurfaceIsSegmented)
   std::vector<std::size_t> part(mesh.number_of_faces());
   fail_allocations([&] { segment_by_constrictions(mesh, curves, CGAL::make_property_map(part)); },
                    [&] { return are_equal(mesh, copy); });
-}
-
-TEST_F(AllocationFailures, WhileAMeshIsSplit)
-{
-  fail_allocations(
-      [&] {
-        Mesh split = mesh;
-        split_along_constrictions(split, curves);
-      },
-      [&] { return are_equal(mesh, copy); });
 }
 
 } // namespace test_allocation_failures
