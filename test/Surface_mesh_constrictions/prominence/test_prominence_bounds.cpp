@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -188,7 +189,7 @@ TEST(ProminenceBounds, InThePlaneDistancesFromAStraightChainAreThoseOfALine)
   const Sheet s = sheet(8, 1, [](double, double) { return 0.; });
   const internal::Surface_metric metric(s.corners, s.points);
   internal::Window_distances distances(metric);
-  distances.compute(s.left, 100);
+  distances.compute_from_chain(s.left, 100);
   for(SMC::Index v = 0; v < s.points.size(); ++v)
     EXPECT_NEAR(distances.distance(v), s.points[v].x, 1e-12);
   for(SMC::Index h = 0; h < metric.number_of_halfedges(); ++h)
@@ -215,7 +216,7 @@ TEST(ProminenceBounds, DistancesFromAChainAreThoseOfShortestPaths)
         sheet(n, seed, [seed](double x, double y) { return 1.5 * std::sin(0.9 * x + seed) * std::cos(1.1 * y); });
     const internal::Surface_metric metric(s.corners, s.points);
     internal::Window_distances distances(metric);
-    distances.compute(s.left, 100);
+    distances.compute_from_chain(s.left, 100);
 
     Mesh mesh;
     for(const internal::Vector3& p : s.points)
