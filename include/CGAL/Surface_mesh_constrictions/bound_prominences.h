@@ -142,7 +142,7 @@ OutputIterator bound_prominences_checked(const TriangleMesh& tm, const Constrict
 /// \return the output iterator, past the last element that was written
 /// \throws Invalid_input for a mesh that cannot be used, or if locations of a constriction are no curve on it
 /// \cost linear in the size of the mesh; plus, for each curve, sixteen times the windows of exact geodesic distances on
-///       up to three neighborhoods of some 8,000 faces at most, plus, for vertices near the curve, one such computation
+///       up to six neighborhoods of some 8,000 faces at most, plus, for vertices near the curve, one such computation
 ///       each, a thousand at most
 ///
 /// \sa `compute_prominences()`

@@ -8,8 +8,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
-#include <CGAL/Surface_mesh_shortest_path.h>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -188,7 +187,7 @@ TEST(ProminenceBounds, InThePlaneDistancesFromAStraightChainAreThoseOfALine)
   const Sheet s = sheet(8, 1, [](double, double) { return 0.; });
   const internal::Surface_metric metric(s.corners, s.points);
   internal::Window_distances distances(metric);
-  distances.compute(s.left, 100);
+  distances.compute_from_chain(s.left, 100);
   for(SMC::Index v = 0; v < s.points.size(); ++v)
     EXPECT_NEAR(distances.distance(v), s.points[v].x, 1e-12);
   for(SMC::Index h = 0; h < metric.number_of_halfedges(); ++h)
@@ -200,46 +199,6 @@ TEST(ProminenceBounds, InThePlaneDistancesFromAStraightChainAreThoseOfALine)
     const double from = s.points[metric.source(h)].x, to = s.points[metric.target(h)].x;
     for(double t : {0.1, 0.5, 0.8})
       EXPECT_NEAR(least_at(waves, t * metric.length(h)), from + t * (to - from), 1e-12);
-  }
-}
-
-// Points that are dense on the chain stand for it: the distance from them is too long by half of their spacing at most.
-TEST(ProminenceBounds, DistancesFromAChainAreThoseOfShortestPaths)
-{
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  typedef CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> Traits;
-  for(unsigned seed = 1; seed < 4; ++seed)
-  {
-    const int n = 7;
-    const Sheet s =
-        sheet(n, seed, [seed](double x, double y) { return 1.5 * std::sin(0.9 * x + seed) * std::cos(1.1 * y); });
-    const internal::Surface_metric metric(s.corners, s.points);
-    internal::Window_distances distances(metric);
-    distances.compute(s.left, 100);
-
-    Mesh mesh;
-    for(const internal::Vector3& p : s.points)
-      mesh.add_vertex(Mesh::Point(p.x, p.y, p.z));
-    for(std::size_t i = 0; i < s.corners.size(); i += 3)
-      mesh.add_face(Mesh::Vertex_index(s.corners[i]), Mesh::Vertex_index(s.corners[i + 1]),
-                    Mesh::Vertex_index(s.corners[i + 2]));
-    CGAL::Surface_mesh_shortest_path<Traits> paths(mesh);
-    const int samples = 20;
-    double spacing = 0;
-    for(SMC::Index h : s.left)
-    {
-      const SMC::Index u = metric.source(h), v = metric.target(h);
-      const Mesh::Halfedge_index g = mesh.halfedge(Mesh::Vertex_index(u), Mesh::Vertex_index(v));
-      spacing = (std::max)(spacing, metric.length(h) / samples);
-      for(int k = 0; k <= samples; ++k)
-        paths.add_source_point(paths.face_location(g, static_cast<double>(k) / samples));
-    }
-    for(SMC::Index v = 0; v < s.points.size(); ++v)
-    {
-      const double expected = paths.shortest_distance_to_source_points(Mesh::Vertex_index(v)).first;
-      EXPECT_LE(distances.distance(v), expected + 1e-9) << v;
-      EXPECT_GE(distances.distance(v), expected - spacing / 2 - 1e-9) << v;
-    }
   }
 }
 

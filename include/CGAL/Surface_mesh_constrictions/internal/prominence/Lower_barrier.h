@@ -56,13 +56,17 @@ public:
     m_length = length;
     m_greatest = greatest * (1 + rounding_margin) * (1 + rounding_margin);
     m_neighbourhood.start(trace);
-    double best = length, reach = (std::max)(least_reach * length, first_reach * (greatest - length));
-    for(std::size_t i = 0; i < most_neighbourhoods && best < greatest; ++i, reach *= reach_factor)
+    double best = length, reach = least_reach * length;
+    for(std::size_t i = 0, before = 0; i < most_neighbourhoods && best < greatest; ++i, reach *= reach_factor)
     {
-      open_neighbourhood(reach);
+      m_neighbourhood.grow(reach, most_vertices);
+      if(m_neighbourhood.faces().size() == before)
+        continue;
+      before = m_neighbourhood.faces().size();
+      draw_cuts();
       if(pass(false) > best)
         best = (std::max)(best, pass(true));
-      if(m_neighbourhood.is_limited())
+      if(m_neighbourhood.is_limited() || reach > greatest)
         break;
     }
     return (std::max)(length, best * (1 - rounding_margin));
@@ -73,10 +77,9 @@ public:
   static constexpr double rounding_margin = 1e-9;
 
 private:
-  static constexpr std::size_t number_of_cuts = 8, most_neighbourhoods = 3, most_vertices = 2000, most_loops = 1000;
+  static constexpr std::size_t number_of_cuts = 8, most_neighbourhoods = 6, most_vertices = 2000, most_loops = 1000;
   static constexpr double flat_tolerance = 1e-9;
-  static constexpr double least_reach = 0.25;   // relative to the length of the curve
-  static constexpr double first_reach = 0.6;    // relative to what the curve is to become longer
+  static constexpr double least_reach = 0.25;   // of the first neighbourhood, relative to the length of the curve
   static constexpr double reach_factor = 2;     // from one neighbourhood to the next
   static constexpr double longest_piece = 0.02; // of an edge on which g is bounded at once; likewise
 
@@ -104,9 +107,8 @@ private:
     std::unique_ptr<Window_distances> in_copies;
   };
 
-  void open_neighbourhood(double reach)
+  void draw_cuts()
   {
-    m_neighbourhood.grow(reach, most_vertices);
     m_cuts.clear();
     m_least_on_edge.clear();
     for(std::size_t i = 0; i < number_of_cuts; ++i)

@@ -185,6 +185,8 @@ private:
 
   // Lengths that differ by this share of a distance are equal but for rounding.
   static constexpr double equal_tolerance = 1e-13;
+  // A corner that is missed by so little, relative to lengths, is hit: its distance is right to the square of this.
+  static constexpr double corner_tolerance = 1e-10;
 
   // Notes that a vertex is no further than this.
   void offer(Index v, double distance)
@@ -286,7 +288,9 @@ private:
     const Vector2 begin = ray(wave, wave.begin), end = ray(wave, wave.end);
     const double left_of_begin = cross(begin, apex - Vector2{wave.begin, 0});
     const double left_of_end = cross(end, apex - Vector2{wave.end, 0});
-    if(left_of_begin <= 0 && left_of_end >= 0)
+    // a line that ends two windows may miss the corner on both sides by rounding
+    const double missed = corner_tolerance * norm(apex);
+    if(left_of_begin <= missed * norm(begin) && left_of_end >= -missed * norm(end))
       offer(m_surface.source(Surface_metric::prev(h)),
             wave.offset + (wave.is_plane ? dot(wave.at, apex) : norm(apex - wave.at)));
     if(left_of_begin < 0) // to the edge from the apex to the source of h
