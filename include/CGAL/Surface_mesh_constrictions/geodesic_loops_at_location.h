@@ -46,7 +46,7 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 /// the two parts reaches that meet there. The 4096 loops of greatest persistence, among them all of a greedy homotopy
 /// basis \cgalCite{ew_gohhg_05}, are tightened with the location held. On a mesh of more than 16384
 /// vertices loops are looked for on levels of its simplification; those that are tight there are led to the mesh, and
-/// tightened again.
+/// tightened again. Then the loop that is found need not be the shortest; see the user manual.
 ///
 /// The answer is the shortest of the simple geodesic loops that result and are not folded: their angle at the location
 /// is at least `minimum_loop_angle`. A loop that shrinks to the location while it is held is dropped, and so is one
