@@ -242,7 +242,7 @@ private:
     if(!strip.empty())
       return Exact_string_puller<Surface>(m_certifier.prover()).pull(from, strip, to, path);
     if(from != to)
-      path.push_back({from, to, m_pm.halfedge(from, to), {}, 0});
+      path.push_back({{from, to, m_pm.halfedge(from, to), {}}, 0});
     return true;
   }
 
