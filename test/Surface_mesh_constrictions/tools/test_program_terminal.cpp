@@ -79,7 +79,7 @@ TEST_F(Terminal, a_mistake_is_told_in_one_line_with_a_guess)
       {"check dumbbell.off -o a.stl",
        "-o: give a file name that ends in .off, .obj or .ply; see constrictions check --help"},
       {"check dumbbell.off --merge 0", "--merge: give a number that is greater than 0; see constrictions check --help"},
-      {"tighten dumbbell.off", "--loops or --labels is required; see constrictions tighten --help"},
+      {"tighten dumbbell.off", "--loops, --through or --labels is required; see constrictions tighten --help"},
       {"batch dumbbell.off --slice 3/2",
        "--slice: give the number of a slice and the number of slices, as in 2/10; see constrictions batch --help"},
       {"segment dumbbell.off", "-o is required; see constrictions segment --help"}};
