@@ -398,7 +398,7 @@ TEST_F(View, what_cannot_be_read_or_written)
 {
   expect_failure(1, "view missing.off -o page.html", {"missing.off"});
   write("no_folder", "");
-  expect_failure(3, "view dumbbell.off -o no_folder/page.html", {"no_folder/page.html"});
+  expect_failure(3, "view dumbbell.off -o no_folder/page.html", {"no_folder", "is not a folder"});
   fs::create_directory(folder / "taken");
   expect_failure(3, "view dumbbell.off -o taken", {"taken", "is a folder"});
 }
