@@ -187,7 +187,7 @@ TEST_F(Girth, at_many_places)
 
   const json near = json::parse(run("detect dumbbell.off --landmarks landmarks.csv --json -").out);
   ASSERT_EQ(near["landmarks"].size(), 3u);
-  EXPECT_EQ(near["landmarks"][0]["constrictions"], json({0}));
+  EXPECT_EQ(near["landmarks"][0]["constrictions"], json::array({0}));
   EXPECT_NEAR(near["constrictions"][0]["length"], 4, 1e-12);
 
   write("none.csv", "x,y,z\n");
