@@ -6,6 +6,7 @@
 #include "output/mesh_as_text.h"
 #include "output/parts.h"
 #include "usage_error.h"
+#include "written_files.h"
 #include "zip_archive.h"
 
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
@@ -17,7 +18,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -25,7 +25,6 @@
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -34,7 +33,6 @@ namespace constrictions {
 
 namespace {
 
-namespace fs = std::filesystem;
 namespace SMC = CGAL::Surface_mesh_constrictions;
 
 const char* const description =
@@ -448,16 +446,6 @@ void add_girth_options(CLI::App& command, Girth& girth)
       ->check(not_negative());
 }
 
-// Whether a file has a name and a place that segment writes to.
-bool is_part_file(const std::string& name, const std::string& folder)
-{
-  std::error_code error;
-  const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
-  const std::string file = place.filename().string();
-  return place.parent_path() == fs::weakly_canonical(fs::absolute(folder), error) &&
-         (file == "parts.ply" || file == "parts.json" || file == "parts.vtp" || is_part_file_name(file));
-}
-
 // Two whole numbers with a slash between them, 1 <= I <= N.
 std::optional<Slice> parse_slice(std::string_view text)
 {
@@ -531,57 +519,6 @@ void check_bounds(const Selection& selection)
     throw CLI::ValidationError("--min-length", "is greater than --max-length: no curve can be as long as that");
 }
 
-// Files that would overwrite each other or the input are a mistake on the command line.
-void check_files(const Options& options)
-{
-  std::vector<std::string> names = {options.mesh == "-" ? "/dev/stdin" : options.mesh};
-  for(const std::string& name : {options.loops, options.places, options.labels, options.landmarks, options.curves})
-    if(!name.empty())
-      names.push_back(name);
-  const std::size_t inputs = names.size();
-  for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files(), options.ply_files(),
-                                               options.vtp_files(), options.obj_files(), options.csv_files()})
-    names.insert(names.end(), files.begin(), files.end());
-  for(const std::string& name : {options.page, options.repaired, options.labels_file()})
-    if(!name.empty())
-      names.push_back(name);
-
-  if(options.prints_json() && options.prints_csv())
-    throw CLI::ValidationError("--csv", "--json writes to the standard output, too");
-  if(options.writes_parts())
-    for(const std::string& name : {options.mesh, options.labels})
-      if(!name.empty() && is_part_file(name, options.folder))
-        throw CLI::ValidationError(name, "the output could overwrite the input");
-
-  if(options.removes_handles())
-    for(const char* name : {"handles.json", "without_handles.ply", "without_handles.stl", "without_handles.obj",
-                            "without_handles.glb", "without_handles.3mf"})
-      names.push_back(options.file_in_folder(name));
-
-  std::vector<fs::path> places;
-  for(const std::string& name : names)
-  {
-    std::error_code error;
-    const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
-    for(std::size_t i = 0; i < places.size(); ++i)
-      if(places.size() >= inputs && places[i] == place && !fs::is_other(place, error))
-        throw CLI::ValidationError(name, i < inputs ? "the output would overwrite the input"
-                                                    : "two outputs would go to the same file");
-    places.push_back(place);
-  }
-}
-
-// The files of one kind that have the curves: the one in the folder, and the one that an option names.
-std::vector<std::string> files(const Options& options, const char* name_in_folder, const std::string& file)
-{
-  std::vector<std::string> result;
-  if(!options.folder.empty() && options.command != Command::SEGMENT)
-    result.push_back(options.file_in_folder(name_in_folder));
-  if(!file.empty() && file != "-")
-    result.push_back(file);
-  return result;
-}
-
 Command command_of(const std::string& name)
 {
   const std::array<std::pair<const char*, Command>, 7> others = {{{"girth", Command::GIRTH},
@@ -598,31 +535,6 @@ Command command_of(const std::string& name)
 }
 
 } // namespace
-
-std::string Options::file_in_folder(const std::string& name) const { return (fs::path(folder) / name).string(); }
-
-std::vector<std::string> Options::json_files() const { return files(*this, "constrictions.json", json); }
-
-std::vector<std::string> Options::polylines_files() const
-{
-  return files(*this, "constrictions.polylines.txt", polylines);
-}
-
-std::vector<std::string> Options::ply_files() const { return files(*this, "constrictions.ply", ""); }
-
-std::vector<std::string> Options::vtp_files() const { return files(*this, "constrictions.vtp", ""); }
-
-std::vector<std::string> Options::obj_files() const { return files(*this, "constrictions.obj", ""); }
-
-std::string Options::labels_file() const
-{
-  return labels.empty() || folder.empty() ? std::string() : file_in_folder("labels.txt");
-}
-
-std::vector<std::string> Options::csv_files() const
-{
-  return csv.empty() || prints_csv() ? std::vector<std::string>() : std::vector<std::string>{csv};
-}
 
 void describe_program(CLI::App& app, Options& options, Words& words)
 {

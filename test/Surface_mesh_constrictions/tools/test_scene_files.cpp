@@ -95,7 +95,7 @@ TEST_F(Scene_files, what_is_wrong_with_a_vtk_file_is_told)
 TEST_F(Scene_files, vtp_in_every_encoding)
 {
   if(!has_xml)
-    GTEST_SKIP() << "without expat";
+    GTEST_SKIP() << "expat, with which VTP files are read, is not installed";
   int n = 0;
   for(const std::string format : {"ascii", "binary", "appended"})
     for(int flags = 0; flags < (format == "ascii" ? 1 : 32); ++flags)
@@ -118,7 +118,7 @@ TEST_F(Scene_files, vtp_in_every_encoding)
 TEST_F(Scene_files, pieces_of_vtp_follow_each_other)
 {
   if(!has_xml)
-    GTEST_SKIP() << "without expat";
+    GTEST_SKIP() << "expat, with which VTP files are read, is not installed";
   const std::string text = Vtp_text(soup, {"ascii"}).text;
   const std::size_t begin = text.find("<Piece"), end = text.find("</PolyData>");
   const std::string piece = text.substr(begin, end - begin);
@@ -267,7 +267,7 @@ TEST_F(Scene_files, what_is_wrong_with_a_glb_file_is_told)
 TEST_F(Scene_files, objects_of_3mf_are_put_into_their_places)
 {
   if(!has_xml || !has_zip)
-    GTEST_SKIP() << "without expat or libzip";
+    GTEST_SKIP() << "expat or libzip, with which 3MF files are read, is not installed";
   const std::string object = object_3mf(soup, "7");
   expect_mesh(soup, "a.3mf", archive_3mf(model_3mf(object, "<item objectid=\"7\"/>")));
   expect_mesh(soup, "without_extension", archive_3mf(model_3mf(object, "<item objectid=\"7\"/>")));

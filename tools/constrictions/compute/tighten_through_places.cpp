@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compute/computations.h"
+#include "compute/note_tightened.h"
 
 #include "input/input_file.h"
 
@@ -36,26 +37,9 @@ void tighten_through_places(const std::string& file, const Place_loops& loops, b
       throw Input_file_error(file, line + ": " + e.what());
     }
     const std::string loop = "loop on " + line;
-    switch(held.loop.let_go.verdict)
-    {
-    case Tightening_verdict::CLOSED_GEODESIC:
+    if(held.loop.let_go.verdict == Tightening_verdict::CLOSED_GEODESIC)
       held.constriction = report.constrictions.size();
-      report.constrictions.push_back(held.loop.let_go.curve);
-      report.statistics.signs = report.statistics.signs + held.loop.let_go.curve.certificate().signs;
-      break;
-    case Tightening_verdict::DEGENERATE:
-      ++report.statistics.degenerate;
-      report.remarks.push_back(loop + ": degenerate, it shortens to a point");
-      break;
-    case Tightening_verdict::NOT_SIMPLE:
-      ++report.statistics.not_simple;
-      report.remarks.push_back(loop + ": not simple, it shortens to a curve that crosses or touches itself");
-      break;
-    case Tightening_verdict::NOT_CERTIFIED:
-      ++report.statistics.not_certified;
-      report.remarks.push_back(loop + ": not certified, it could not be proved to shorten to a constriction");
-      break;
-    }
+    note_tightened(held.loop.let_go, loop, report);
     report.remarks.push_back(loop + ": held at its places it is " + std::to_string(held.loop.length) + " long" +
                              (held.loop.is_simple ? "" : ", and crosses or touches itself"));
     report.held_loops.push_back(std::move(held));
