@@ -26,14 +26,16 @@ fail() { # WHAT
   status=1
 }
 
-# The row of a configuration. Needs the two programs; runs them with RUNNER, which may be empty.
+# The row of a configuration. Needs the program of the tests and the command for the curves, words without blanks; runs
+# them with RUNNER, which may be empty.
 row() { # NAME MUST_HAVE_THE_CURVES TESTS CURVES RUNNER...
-  local name=$1 must=$2 tests=$3 curves=$4 passed failed same
+  local name=$1 must=$2 tests=$3 curves passed failed same
+  read -r -a curves <<< "$4"
   shift 4
   "$@" "$tests" > build/arithmetic.log 2>&1 || true
   passed=$(sed -n 's/^\[  PASSED  \] \([0-9]*\) test.*/\1/p' build/arithmetic.log)
   failed=$(sed -n 's/^ *\([0-9]*\) FAILED TEST.*/\1/p' build/arithmetic.log)
-  "$@" "$curves" data/meshes "$table" > build/arithmetic_curves.log 2>&1 || true
+  "$@" "${curves[@]}" data/meshes "$table" > build/arithmetic_curves.log 2>&1 || true
   same=$(sed -n 's/^\([0-9]* of [0-9]*\) meshes have.*/\1/p' build/arithmetic_curves.log)
   printf '| %-44s | %8s | %8s | %10s |\n' "$name" "${passed:-0}" "${failed:-0}" "${same:-none}"
   if [ -z "$passed" ] || [ -n "$failed" ]; then
@@ -48,7 +50,7 @@ row() { # NAME MUST_HAVE_THE_CURVES TESTS CURVES RUNNER...
 build() { # FOLDER TARGETS COMPILER FLAGS
   cmake -S . -B "$1" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$3" -DCMAKE_CXX_FLAGS="$4" \
     -DWITH_QUICK_COMPILATION=ON -DWITH_PYTHON=OFF -DWITH_EXAMPLES=OFF -DWITH_HEADER_CHECK=OFF > build/arithmetic.log &&
-    cmake --build "$1" --parallel "$(scripts/number_of_jobs.sh 3200)" --target $2 >> build/arithmetic.log 2>&1 ||
+    cmake --build "$1" --parallel "$(scripts/number_of_jobs.sh 3900)" --target $2 >> build/arithmetic.log 2>&1 ||
     { tail -n 20 build/arithmetic.log >&2 && return 1; }
 }
 
@@ -58,10 +60,10 @@ contraction() {
     for contract in off fast; do
       flags="-march=x86-64-v3 -ffp-contract=$contract"
       must=$([ "$contract" = off ] && echo yes || echo no)
-      build "build/arithmetic-$compiler-$contract" "test_certificates combinatorial_curves" "$compiler" "$flags"
+      build "build/arithmetic-$compiler-$contract" "test_certificates mesh_programs" "$compiler" "$flags"
       row "$compiler $flags" "$must" \
         "build/arithmetic-$compiler-$contract/test/Surface_mesh_constrictions/test_certificates" \
-        "build/arithmetic-$compiler-$contract/test/combinatorial_curves/combinatorial_curves" env
+        "build/arithmetic-$compiler-$contract/mesh_programs combinatorial_curves" env
     done
   done
 }

@@ -45,7 +45,7 @@ if [ $# -lt 2 ]; then
   step prepare inside root "apt-get update && $install ${tools[*]} && cd project && scripts/setup.sh --program"
   step configure inside root "cmake -S project -B build -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
     -DWITH_TESTS=OFF -DWITH_EXAMPLES=OFF"
-  step build inside root "cmake --build build --parallel \$(project/scripts/number_of_jobs.sh 3200)"
+  step build inside root "cmake --build build --parallel \$(project/scripts/number_of_jobs.sh 3900)"
   step pack inside root "cd build && cpack -G DEB"
   step lintian inside root "lintian --fail-on error --allow-root build/*.deb"
   cat "$folder/packages-lintian.log"

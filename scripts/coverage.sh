@@ -10,7 +10,7 @@ set -euo pipefail
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build="$project/build/coverage"
 jobs=$(nproc)
-compilers=$("$project/scripts/number_of_jobs.sh" 3200)
+compilers=$("$project/scripts/number_of_jobs.sh" 3900)
 
 "$project/scripts/setup.sh" gcovr
 "$project/scripts/fetch_meshes.sh" "$project/data/meshes"

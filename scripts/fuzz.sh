@@ -24,7 +24,7 @@ scripts/setup.sh clang
 clang_version=$(clang++ -dumpversion)
 scripts/setup.sh "libclang-rt-${clang_version%%.*}-dev"
 cmake --preset clang-fuzzing
-cmake --build --preset clang-fuzzing --parallel "$(scripts/number_of_jobs.sh 3200)" --target "${@/#/fuzz_}"
+cmake --build --preset clang-fuzzing --parallel "$(scripts/number_of_jobs.sh 3900)" --target "${@/#/fuzz_}"
 
 # One input a line, in hexadecimal digits.
 unpack() { # CORPUS FOLDER

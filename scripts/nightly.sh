@@ -20,6 +20,8 @@
 #                                       the tables of the manual
 #   selection                           the default call selects what is selected of all, on all of CGAL's meshes of up
 #                                       to 60,000 faces; prints the table of the manual
+#   curves                              the certificates of all curves of large meshes, of which .ci/run looks at those
+#                                       that are selected
 #   completeness                        which strict constrictions of 300 small meshes random walks find and the
 #                                       detection misses; prints the table of the manual
 #   stability                           whether constrictions of twelve meshes are found again on changed ones;
@@ -27,7 +29,7 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-[ $# -gt 0 ] || set -- headers meshes selection completeness stability coverage \
+[ $# -gt 0 ] || set -- headers meshes selection curves completeness stability coverage \
   mutation-{certificate,tightening,verification} configurations arithmetic faults fuzz threads
 mkdir -p build/nightly
 
@@ -36,16 +38,16 @@ run() { # STEP
     coverage) scripts/coverage.sh ;;
     mutation-*)
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes &&
-        scripts/mutation/run.py build/mutation --group "${1#mutation-}" --jobs "$(scripts/number_of_jobs.sh 3200)"
+        scripts/mutation/run.py build/mutation --group "${1#mutation-}" --jobs "$(scripts/number_of_jobs.sh 3900)"
       ;;
     configurations)
       scripts/test.sh debug:curves clang-debug:curves cgal6-debug:curves clang-release:curves \
-        clang-cgal6-release:curves sanitizers clang-cgal6-sanitizers
+        cgal6-release:curves sanitizers clang-cgal6-sanitizers
       ;;
     arithmetic) scripts/check_arithmetic.sh ;;
     faults)
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
-        cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 3200)" --target test_parts test_tools &&
+        cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 3900)" --target test_parts test_tools &&
         CONSTRICTIONS_ALL_FAULTS=1 ctest --preset release -R 'Faults|AllocationFailures' --parallel "$(nproc)" \
           --timeout 20000
       ;;
@@ -67,6 +69,12 @@ run() { # STEP
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
         cmake --build --preset release --target selection_of_all &&
         build/release/test/selection_of_all/selection_of_all --most-faces 60000 data/meshes/*.off
+      ;;
+    curves)
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+        cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 3900)" \
+          --target test_certificates test_detection &&
+        CONSTRICTIONS_ALL_CURVES=1 ctest --preset release -R 'Certificates/|Real_meshes' --parallel "$(nproc)"
       ;;
     completeness)
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&

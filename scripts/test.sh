@@ -7,12 +7,12 @@
 #
 # Everything is built and tested but that each header compiles on its own, which is scripts/nightly.sh's; the benchmarks
 # are built in the last configuration only. With `:short` the sources of test programs that run for long are only
-# checked, and there are no examples. With `:curves` only two things are tested: that the combinatorial curves of real meshes are those of every
-# other configuration, and that a project can use the installed package.
+# checked, and there are no examples. With `:curves` only two things are tested: that the combinatorial curves of real
+# meshes are those of every other configuration, and that a project can use the installed package.
 #
 # If CGAL_DIR is set, that CGAL is used instead of the installed one, or of Debian's CGAL 6 by a preset named for it.
 #
-# A compiler takes up to 3.2 GB of memory: no more run at a time than fit. What needs a browser or Slurm is skipped
+# A compiler takes up to 3.9 GB of memory: no more run at a time than fit. What needs a browser or Slurm is skipped
 # where they are not there; scripts/setup.sh --browser --engines installs them.
 set -euo pipefail
 
@@ -62,7 +62,7 @@ done
   printf '\n'
   printf '%s:\n\t+$(MAKE) --no-print-directory -C $@\n' "${names[@]}"
 } > build/Makefile
-make -C build --jobs "$(scripts/number_of_jobs.sh 3200)"
+make -C build --jobs "$(scripts/number_of_jobs.sh 3900)"
 
 # One run of ctest over all of them.
 printf 'subdirs("%s")\n' "${names[@]}" > build/CTestTestfile.cmake
