@@ -4,6 +4,7 @@
 #include <expat.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <memory>
 #include <new>
@@ -12,6 +13,16 @@
 namespace constrictions {
 
 namespace {
+
+// Expat 2.9 has deprecated the function that earlier versions have.
+std::uint64_t current_line(XML_Parser parser)
+{
+#if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
+  return XML_GetCurrentLineNumber64(parser);
+#else
+  return XML_GetCurrentLineNumber(parser);
+#endif
+}
 
 // Exceptions must not pass through expat, so they are kept until it has stopped.
 struct Parsing
@@ -86,7 +97,7 @@ void read_xml(const Input_file& file, std::string_view text, const std::string& 
         {
           reason = e.reason;
         }
-      file.fail(place + "line " + std::to_string(XML_GetCurrentLineNumber(parser.get())) + ": " + reason);
+      file.fail(place + "line " + std::to_string(current_line(parser.get())) + ": " + reason);
     }
     done += piece;
     if(piece == 0)
