@@ -6,7 +6,7 @@
 #
 #   use_debian 12|13    sets `project`, `folder`, where roots and logs are, and `suite`; makes the root that is copied
 #   new_root NAME       sets `root`: a copy of it, in which there is nothing but Debian
-#   copy_project PLACE  the sources that git knows, to a place in the root
+#   copy_project PLACE  the sources, also those that git does not know yet, to a place in the root
 #   inside USER COMMAND runs a command in the root, in the home of the user, whose name `home` is
 
 use_debian() {
@@ -43,8 +43,8 @@ new_root() { # NAME
 
 copy_project() { # PLACE
   mkdir -p "$root$1"
-  (cd "$project" && git ls-files -z | tar --create --null --ignore-failed-read --files-from=-) |
-    tar --extract --directory "$root$1"
+  (cd "$project" && git ls-files -z --cached --others --exclude-standard |
+    tar --create --null --ignore-failed-read --files-from=-) | tar --extract --directory "$root$1"
 }
 
 # In namespaces of its own: mounts and processes end with it.

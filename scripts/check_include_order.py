@@ -6,16 +6,21 @@
 
 The folders of `internal/` are the stages. A public header belongs to the stage of the last internal header that it
 includes, directly or not; it must not be included by a header of an earlier one. Prints each include that runs against
-the order, and each header that is in no folder of the list below.
+the order, and each header that is in no folder of the list below. And of the program, each file but system/posix.cpp
+that includes a header of POSIX.
 """
 import pathlib
 import re
 import sys
 
-PACKAGE = pathlib.Path(__file__).resolve().parents[1] / "include/CGAL/Surface_mesh_constrictions"
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+PACKAGE = ROOT / "include/CGAL/Surface_mesh_constrictions"
+PROGRAM = ROOT / "tools/constrictions"
 STAGES = ["surface", "curves", "tighten", "exact", "simplify", "seeds", "prominence", "carry", "detect", "parts",
           "verify"]
 INCLUDE = re.compile(r"^#include <CGAL/Surface_mesh_constrictions/([^>]+)>", re.MULTILINE)
+POSIX = re.compile(r"^#include <((?:sys/.*|aio|csignal|dirent|dlfcn|fcntl|ftw|glob|poll|pthread|pwd|sched|semaphore|signal"
+                   r"|spawn|strings|syslog|termios|unistd|utime|wordexp)(?:\.h)?)>", re.MULTILINE)
 
 
 def main():
@@ -42,6 +47,10 @@ def main():
                 failures.append(f"{header} includes {i}, which is not there")
             elif stage(i) > stage(header):
                 failures.append(f"{header} ({STAGES[stage(header)]}) includes {i} ({STAGES[stage(i)]})")
+    for path in sorted(PROGRAM.rglob("*.h")) + sorted(PROGRAM.rglob("*.cpp")):
+        if path != PROGRAM / "system/posix.cpp":
+            failures += [f"{path.relative_to(ROOT)} includes {header}; what needs it belongs to system/posix.cpp"
+                         for header in POSIX.findall(path.read_text())]
     print("\n".join(failures) or f"{len(included)} headers include with the order of the stages.")
     return 1 if failures else 0
 

@@ -15,16 +15,14 @@
 #include "output/mesh_json.h"
 #include "output/output_file.h"
 #include "output/parts.h"
+#include "system/posix.h"
 #include "view/view_page.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -49,7 +47,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin)
 }
 
 // Whether somebody is there who reads what was written, and found.
-bool tells_results(const Options& options) { return !options.quiet && isatty(STDERR_FILENO) == 1; }
+bool tells_results(const Options& options) { return !options.quiet && is_error_output_terminal(); }
 
 // Before the long computation.
 void check_outputs(const Options& options)
@@ -389,7 +387,7 @@ int run(const Options& options)
   Levels levels;
   Handle_removal removal;
   {
-    Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1);
+    Stage_monitor monitor(!options.quiet && is_error_output_terminal());
     if(!landmarks.empty())
       ask_at_landmarks(options, landmarks, monitor, report);
     else if(!options.places.empty())
@@ -451,7 +449,7 @@ int certify(const Options& options)
 
   std::vector<Certified_curve> certified;
   {
-    Stage_monitor monitor(!options.quiet && isatty(STDERR_FILENO) == 1, Detection_stage::CERTIFICATION);
+    Stage_monitor monitor(!options.quiet && is_error_output_terminal(), Detection_stage::CERTIFICATION);
     try
     {
       certified = certify_curves(mesh, curves, monitor);
@@ -547,7 +545,7 @@ int report_failure(const Options& options)
 
 int main(int argc, char** argv)
 {
-  std::signal(SIGXFSZ, SIG_IGN); // so that writing beyond the limit of file sizes fails, and can be told of
+  constrictions::fail_beyond_limit_of_file_sizes(); // and tell of it
   constrictions::Options options;
   try
   {

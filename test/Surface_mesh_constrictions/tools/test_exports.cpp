@@ -11,6 +11,7 @@
 #include <cstring>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_exports {
@@ -122,36 +123,51 @@ TEST_F(Exports, curves_as_lines_of_obj)
 {
   detect("'" CONSTRICTIONS_MESH_DIR "/cactus.off'");
   ASSERT_EQ(curves.size(), 3u);
+  typedef std::pair<std::size_t, std::size_t> Step;
   std::istringstream lines(content("results/constrictions.obj"));
-  std::size_t curve = 0, points = 0, first = 1;
+  std::size_t number_of_curves = 0, number_of_points = 0, first = 1;
+  std::vector<json> points;
+  std::vector<Step> steps;
+  // of a curve that has been read
+  const auto expect_closed_line = [&] {
+    if(number_of_curves == 0)
+      return;
+    EXPECT_EQ(json(points), curves.at(number_of_curves - 1).at("points"));
+    std::vector<Step> expected;
+    for(std::size_t i = first; i <= number_of_points; ++i)
+      expected.emplace_back(i, i < number_of_points ? i + 1 : first);
+    EXPECT_EQ(steps, expected);
+    first = number_of_points + 1;
+    points.clear();
+    steps.clear();
+  };
   for(std::string line; std::getline(lines, line);)
   {
     std::istringstream words(line);
-    std::string keyword;
+    std::string keyword, rest;
     words >> keyword;
     if(keyword == "o")
-      EXPECT_EQ(line, "o constriction_" + std::to_string(curve));
+    {
+      expect_closed_line();
+      EXPECT_EQ(line, "o constriction_" + std::to_string(number_of_curves++));
+    }
     else if(keyword == "v")
     {
       std::vector<double> p(3);
       words >> p[0] >> p[1] >> p[2];
-      EXPECT_EQ(json(p), curves[curve].at("points").at(points++));
+      points.push_back(json(p));
+      ++number_of_points;
     }
     else if(keyword == "l")
     {
-      std::vector<std::size_t> line_points, expected;
-      for(std::size_t i; words >> i;)
-        line_points.push_back(i);
-      for(std::size_t i = 0; i < points; ++i)
-        expected.push_back(first + i);
-      expected.push_back(first);
-      EXPECT_EQ(line_points, expected);
-      EXPECT_EQ(points, curves[curve++].at("points").size());
-      first += points;
-      points = 0;
+      Step step;
+      words >> step.first >> step.second;
+      EXPECT_FALSE(words >> rest) << "Blender 3.4 reads the first two points of a line only";
+      steps.push_back(step);
     }
   }
-  EXPECT_EQ(curve, 3u);
+  expect_closed_line();
+  EXPECT_EQ(number_of_curves, 3u);
 }
 
 TEST_F(Exports, vtk_shows_an_array_at_first)

@@ -2,9 +2,8 @@
 #include "batch/batch_line.h"
 
 #include "input/input_file.h"
+#include "system/posix.h"
 
-#include <csignal>
-#include <cstring>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -50,15 +49,15 @@ std::pair<const char*, std::string> reason_without_result(const Task_end& end, c
     reason << "not finished within " << limits.seconds << (limits.seconds == 1 ? " second" : " seconds");
     return {"time", reason.str()};
   }
-  if(end.signal == SIGKILL)
+  if(is_kill(end.signal))
     return {"memory", "the process was killed; the system does so when memory is used up"};
   if(is_about_memory(end.last_words))
     return {"memory", "not enough memory"};
   const std::string words = end.last_words.empty() ? "" : "; its last words: " + constrictions::quoted(end.last_words);
   if(end.signal == 0)
     return {"crash", "the process ended without a result" + words};
-  return {"crash",
-          "the process was ended by signal " + std::to_string(end.signal) + " (" + strsignal(end.signal) + ")" + words};
+  return {"crash", "the process was ended by signal " + std::to_string(end.signal) + " (" + signal_name(end.signal) +
+                       ")" + words};
 }
 
 } // namespace

@@ -4,21 +4,14 @@
 #include "input/input_file.h"
 #include "output/output_file.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <regex>
-#include <string_view>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 namespace constrictions {
@@ -48,18 +41,6 @@ std::vector<std::string> files_with_results(const std::string& folder)
   return result;
 }
 
-// Returns the error, or 0. A process that was just killed may take a moment to end.
-int lock(int file)
-{
-  for(int attempt = 0; flock(file, LOCK_EX | LOCK_NB) != 0; ++attempt)
-  {
-    if(errno != EWOULDBLOCK || attempt == 10)
-      return errno;
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  }
-  return 0;
-}
-
 // Returns the number of bytes in lines that have an end.
 std::uintmax_t read_lines(const std::string& name, const std::function<void(const Batch_line&)>& f)
 {
@@ -86,41 +67,29 @@ std::uintmax_t read_lines(const std::string& name, const std::function<void(cons
 } // namespace
 
 Batch_results::Batch_results(const std::string& folder, const Slice& slice)
-  : m_folder(folder), m_name((fs::path(folder) / file_name(slice)).string()),
-    m_file(open(m_name.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666))
+  : m_folder(folder), m_name((fs::path(folder) / file_name(slice)).string())
 {
-  if(m_file == -1)
-    throw Output_file_error(m_name, "cannot be opened: " + error_text(errno));
-  if(const int error = lock(m_file))
-  {
-    close(m_file);
-    throw Output_file_error(m_name, error == EWOULDBLOCK ? "another process is writing to it"
-                                                         : "cannot be locked: " + error_text(error));
-  }
+  if(const int error = m_file.open(m_name))
+    throw Output_file_error(m_name, "cannot be opened: " + error_text(error));
+  if(const int error = m_file.lock())
+    throw Output_file_error(m_name, is_locked_error(error) ? "another process is writing to it"
+                                                           : "cannot be locked: " + error_text(error));
 }
-
-Batch_results::~Batch_results() { close(m_file); }
 
 void Batch_results::for_each_line(const std::function<void(const Batch_line&)>& f) const
 {
   for(const std::string& name : files_with_results(m_folder))
   {
     const std::uintmax_t size = read_lines(name, f);
-    if(name == m_name && ftruncate(m_file, static_cast<off_t>(size)) != 0)
-      throw Output_file_error(m_name, "cannot be shortened: " + error_text(errno));
+    if(const int error = name == m_name ? m_file.shorten(size) : 0)
+      throw Output_file_error(m_name, "cannot be shortened: " + error_text(error));
   }
 }
 
 void Batch_results::append(const Batch_line& line) const
 {
-  const std::string text = as_text(line);
-  for(std::string_view rest = text; !rest.empty();)
-  {
-    const ssize_t n = write(m_file, rest.data(), rest.size());
-    if(n < 0 && errno != EINTR)
-      throw Output_file_error(m_name, "cannot be written: " + error_text(errno));
-    rest.remove_prefix(n < 0 ? 0 : static_cast<std::size_t>(n));
-  }
+  if(const int error = m_file.append(as_text(line)))
+    throw Output_file_error(m_name, "cannot be written: " + error_text(error));
 }
 
 void keep_settings(const std::string& folder, const nlohmann::ordered_json& settings)

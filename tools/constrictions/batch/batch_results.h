@@ -4,6 +4,7 @@
 
 #include "batch/batch_input.h"
 #include "batch/batch_line.h"
+#include "system/posix.h"
 
 #include <functional>
 #include <string>
@@ -21,7 +22,6 @@ public:
   Batch_results(const std::string& folder, const Slice& slice);
   Batch_results(const Batch_results&) = delete;
   Batch_results& operator=(const Batch_results&) = delete;
-  ~Batch_results();
 
   /// calls `f` with each line of all files with results in the folder. A line without its end is removed from the file
   /// that is written to.
@@ -34,7 +34,7 @@ public:
 
 private:
   std::string m_folder, m_name;
-  int m_file;
+  Locked_file m_file;
 };
 
 /// writes the settings, on which the results depend, into a file of the folder. Where they are already, nothing is

@@ -2,7 +2,7 @@
 #ifndef CONSTRICTIONS_PROCESS_POOL_H
 #define CONSTRICTIONS_PROCESS_POOL_H
 
-#include <sys/types.h>
+#include "system/posix.h"
 
 #include <chrono>
 #include <cstddef>
@@ -36,9 +36,7 @@ struct Task_end
 
 /// Runs tasks in child processes, a process for each, so that what happens to one task is nothing to the others and to
 /// this process: a crash, a lack of memory, an endless loop. A child is a copy of this process, which should have one
-/// thread, and small memory, when it starts one. Children take no notice of SIGINT, SIGTERM, SIGHUP and SIGQUIT: a
-/// terminal sends these to all processes, and it is this process that ends its children. On Linux they end with this
-/// process, however that ends, and are the first to be killed when the memory is used up.
+/// thread, and small memory, when it starts one; see `start_child_process()`.
 class Process_pool
 {
 public:
@@ -63,16 +61,16 @@ private:
   struct Child
   {
     std::size_t task;
-    pid_t process;
-    int pipe; // from which its output is read
+    Child_process process;
     Clock::time_point begin;
     std::string output;
     bool is_out_of_time;
   };
 
   void kill_overdue();
-  bool is_read_to_the_end(Child& child) const;
-  Task_end reap(Child& child) const;
+  static bool is_read_to_the_end(Child& child);
+  static Task_end reap(const Child& child);
+  std::vector<Child_process> processes() const;
 
   Process_limits m_limits;
   std::vector<Child> m_children;

@@ -9,14 +9,12 @@
 #include "batch/process_pool.h"
 #include "input/input_file.h"
 #include "output/output_file.h"
+#include "system/posix.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -33,29 +31,6 @@ namespace constrictions {
 namespace {
 
 typedef std::function<Report(const std::string& mesh)> Detect;
-
-// The signal that has asked this process to end, or 0.
-volatile std::sig_atomic_t caught_signal = 0;
-
-void catch_signals()
-{
-  for(int signal : {SIGINT, SIGTERM, SIGHUP})
-  {
-    struct sigaction action = {};
-    // a signal that is ignored, as under nohup, remains so
-    if(sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN)
-      continue;
-    action = {};
-    action.sa_handler = [](int s) { caught_signal = s; };
-    sigaction(signal, &action, nullptr);
-  }
-}
-
-void end_by_caught_signal()
-{
-  std::signal(caught_signal, SIG_DFL);
-  std::raise(caught_signal);
-}
 
 nlohmann::ordered_json settings(const Options& options)
 {
@@ -142,11 +117,11 @@ void go_through(const std::vector<std::string>& meshes, const Options& options, 
   std::vector<std::uint64_t> weights;
   for(const std::string& mesh : meshes)
     weights.push_back(weight(mesh));
-  Batch_progress progress(!options.quiet && isatty(STDERR_FILENO) == 1, meshes.size(),
+  Batch_progress progress(!options.quiet && is_error_output_terminal(), meshes.size(),
                           std::accumulate(weights.begin(), weights.end(), std::uint64_t(0)));
   Process_pool pool(options.batch.limits);
   std::size_t next = 0;
-  while(caught_signal == 0 && (next < meshes.size() || !pool.is_empty()))
+  while(noted_signal() == 0 && (next < meshes.size() || !pool.is_empty()))
   {
     for(; next < meshes.size() && !pool.is_full(); ++next)
       pool.start(next, [&] {
@@ -182,13 +157,13 @@ void run_batch(const Options& options, const Detect& detect)
     results.emplace(options.folder, options.batch.slice);
     pass_over_done(*results, meshes, summary);
   }
-  catch_signals();
+  note_signals();
   go_through(meshes, options, detect, results, summary);
-  if(caught_signal != 0)
+  if(noted_signal() != 0)
   {
     if(results && !options.quiet)
       std::cerr << "constrictions: batch: interrupted; the same command goes on where this one has ended" << std::endl;
-    end_by_caught_signal();
+    end_by_noted_signal();
   }
   if(results && !options.quiet)
     write_to_standard_output(summary.as_table());

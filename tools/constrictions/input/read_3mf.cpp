@@ -61,7 +61,7 @@ public:
     ++m_depth;
     const std::string_view kind = name.substr(core.size());
     if(kind == "object")
-      m_object = &m_model.objects[std::string(text(element, "id"))];
+      m_object = &m_model.objects[std::string(required(element, "id"))];
     else if(m_object != nullptr && kind == "vertex")
       m_object->points.emplace_back(number<double>(element, "x"), number<double>(element, "y"),
                                     number<double>(element, "z"));
@@ -82,7 +82,7 @@ public:
   }
 
 private:
-  static std::string_view text(const Xml_element& element, std::string_view name)
+  static std::string_view required(const Xml_element& element, std::string_view name)
   {
     const std::optional<std::string_view> result = element.attribute(name);
     if(!result)
@@ -95,7 +95,7 @@ private:
   static Number number(const Xml_element& element, std::string_view name)
   {
     Number result = 0;
-    const std::string_view word = text(element, name);
+    const std::string_view word = required(element, name);
     if(!Text_scanner::parse(word, result))
       throw Xml_failure{constrictions::quoted(name) + " is " + constrictions::quoted(word) + ", not a number"};
     return result;
@@ -103,7 +103,7 @@ private:
 
   static Placed placed(const Xml_element& element)
   {
-    Placed result{std::string(element.attribute(path).value_or("")), std::string(text(element, "objectid")), {}};
+    Placed result{std::string(element.attribute(path).value_or("")), std::string(required(element, "objectid")), {}};
     if(const std::optional<std::string_view> map = element.attribute("transform"))
     {
       const Input_file words{"", std::string(*map)};

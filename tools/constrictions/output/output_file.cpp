@@ -2,7 +2,7 @@
 #include "output/output_file.h"
 
 #include "input/input_file.h"
-#include "output/held_signals.h"
+#include "system/posix.h"
 
 #include <cerrno>
 #include <cstddef>

@@ -4,10 +4,9 @@
 #include "output/certificates.h"
 #include "output/curve_of_report.h"
 #include "output/mesh_json.h"
+#include "system/posix.h"
 
 #include <nlohmann/json.hpp>
-
-#include <sys/resource.h>
 
 #include <cmath>
 #include <cstddef>
@@ -24,20 +23,6 @@ namespace {
 
 typedef nlohmann::ordered_json Json;
 namespace SMC = CGAL::Surface_mesh_constrictions;
-
-// of this process, so far
-std::uint64_t peak_rss_bytes()
-{
-  rusage usage;
-  if(getrusage(RUSAGE_SELF, &usage) != 0)
-    return 0;
-#ifdef __APPLE__
-  const std::uint64_t unit = 1;
-#else
-  const std::uint64_t unit = 1024;
-#endif
-  return unit * static_cast<std::uint64_t>(usage.ru_maxrss);
-}
 
 Json points_as_json(const std::vector<Mesh::Point>& points)
 {

@@ -2,6 +2,7 @@
 // Puts the page together: what is shown follows from `state`.
 import {Vector3} from 'three/build/three.module.js';
 import {Curves} from './curves.js';
+import {Graphics} from './graphics.js';
 import {Lids} from './lids.js';
 import {List, SideFilter, counted, rounded} from './list.js';
 import {Marks} from './marks.js';
@@ -59,16 +60,7 @@ const lids = new Lids();
 const placement = new Placement(data, finest, extent, {surface, drawn, lids});
 const marks = new Marks(document.getElementById('marks'), data.radius);
 let division = null;
-let stage = null;
-try {
-  stage = new Stage(document.getElementById('canvas'), () => stage && marks.update(stage.camera, stage.pixelsPerUnit));
-  stage.scene.add(surface.group, lids.mesh, drawn.group, playback.group);
-} catch (error) {
-  const failure = document.getElementById('failure');
-  failure.textContent = `The surface cannot be drawn: ${error.message}`;
-  failure.hidden = false;
-  document.getElementById('save-picture').disabled = true;
-}
+let stage = null; // as long as the browser has no graphics
 
 if (data.is_simplified)
   list.note(`Drawn with ${counted(finest.faces.length / 3, 'face')}, simplified. `
@@ -391,7 +383,13 @@ const player = document.getElementById('player');
 new ResizeObserver(() =>
   document.getElementById('stage').style.setProperty('--above-player', `${player.offsetHeight + 16}px`)).observe(player);
 
-follow();
+new Graphics(document.getElementById('canvas'), context => {
+  stage = new Stage(context, () => marks.update(stage.camera, stage.pixelsPerUnit));
+  stage.scene.add(surface.group, lids.mesh, drawn.group, playback.group);
+  follow();
+}, () => stage.invalidate());
+if (!stage)
+  follow();
 window.addEventListener('hashchange', follow);
 
 // For scripts that take pictures and for tests.

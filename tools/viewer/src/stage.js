@@ -5,7 +5,6 @@ import {gamma, light} from './colours.js';
 import {TrackballControls} from 'three/examples/jsm/controls/TrackballControls.js';
 
 const fieldOfView = 30;
-const drawing = {antialias: true, alpha: true, preserveDrawingBuffer: true};
 
 // How far from a ball of this radius the camera sees it whole.
 const distanceFor = (radius, aspect) =>
@@ -52,12 +51,13 @@ class Inset {
 
 export class Stage {
   // `onDraw()` is called whenever something has been drawn.
-  constructor(canvas, onDraw) {
+  constructor(context, onDraw) {
+    const {canvas} = context;
     this.canvas = canvas;
     this.onDraw = onDraw;
     this.inset = new Inset();
     this.radius = 1; // of the whole that is shown, around the origin
-    this.renderer = new WebGLRenderer({canvas, context: canvas.getContext('webgl2', drawing) ?? undefined, ...drawing});
+    this.renderer = new WebGLRenderer({canvas, context});
     this.renderer.physicallyCorrectLights = true;
     this.renderer.gammaFactor = gamma;
     this.renderer.gammaOutput = true;
@@ -80,11 +80,15 @@ export class Stage {
     this.hiddenBelow = this.hiddenAbove = 0; // what is in front of the canvas at its ends, in pixels
     this.isDirty = true;
     this.waiting = [];
-    new ResizeObserver(() => this.resize()).observe(canvas);
+    // A canvas is empty when its size has changed, and would be shown so, since the frame has been drawn before.
+    new ResizeObserver(() => {
+      this.resize();
+      this.step(performance.now());
+    }).observe(canvas);
     this.resize();
     const frame = time => {
-      this.step(time);
       requestAnimationFrame(frame);
+      this.step(time);
     };
     requestAnimationFrame(frame);
   }
@@ -111,7 +115,9 @@ export class Stage {
     if (!this.isDirty)
       return;
     this.isDirty = false;
-    this.draw();
+    // The event of a loss comes later than the loss, and three.js cannot draw then.
+    if (!this.renderer.getContext().isContextLost())
+      this.draw();
     if (!this.flight)
       this.waiting.splice(0).forEach(done => done());
   }

@@ -32,8 +32,9 @@ export function write(mesh, ...options) {
   return page;
 }
 
-// Opens a page; whatever it says on the console, and every address that it asks for, is noted.
-export async function open(page, hash = '', viewport = {width: 800, height: 500}, options = {}) {
+// Opens a page; whatever it says on the console, and every address that it asks for, is noted. `first` is called in the
+// page before its own scripts.
+export async function open(page, hash = '', viewport = {width: 800, height: 500}, options = {}, first = null) {
   const tab = await browser.newPage({viewport, ...options});
   tab.setDefaultTimeout(patience);
   tab.said = [];
@@ -41,6 +42,8 @@ export async function open(page, hash = '', viewport = {width: 800, height: 500}
   tab.on('console', message => tab.said.push(`${message.type()}: ${message.text()}`));
   tab.on('pageerror', error => tab.said.push(error.message));
   tab.on('request', request => tab.asked.push(request.url()));
+  if (first)
+    await tab.addInitScript(first);
   await tab.goto(pathToFileURL(page).href + hash);
   await settled(tab);
   return tab;
@@ -49,9 +52,8 @@ export async function open(page, hash = '', viewport = {width: 800, height: 500}
 export const settled = tab => tab.evaluate(() => window.viewer.settled());
 export const state = tab => tab.evaluate(() => window.viewer.state());
 
-// The pixels of the canvas as [r, g, b, a, ...], from the lower left.
-export const pixels = async tab => Buffer.from(await tab.evaluate(async () => {
-  await window.viewer.settled();
+// The pixels of the canvas as they are, [r, g, b, a, ...], from the lower left.
+export const pixelsNow = async tab => Buffer.from(await tab.evaluate(() => {
   const canvas = document.getElementById('canvas');
   const gl = canvas.getContext('webgl2');
   const data = new Uint8Array(4 * canvas.width * canvas.height);
@@ -61,6 +63,9 @@ export const pixels = async tab => Buffer.from(await tab.evaluate(async () => {
     text += String.fromCharCode(...data.subarray(i, i + 8192));
   return btoa(text);
 }), 'base64');
+
+// Those of what is to be seen in the end.
+export const pixels = tab => settled(tab).then(() => pixelsNow(tab));
 
 export function covered(p) {
   let n = 0;

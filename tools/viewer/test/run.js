@@ -8,5 +8,5 @@ if (!executablePath) {
   console.log('skipped: there is no Chromium: set CHROMIUM to its place, or use scripts/setup.sh --browser');
   process.exit(0);
 }
-const tests = ['viewer', 'controls', 'cling'].map(name => fileURLToPath(new URL(`${name}.test.js`, import.meta.url)));
+const tests = ['viewer', 'controls', 'context', 'cling'].map(name => fileURLToPath(new URL(`${name}.test.js`, import.meta.url)));
 process.exit(spawnSync(process.execPath, ['--test', '--test-reporter=spec', ...tests], {stdio: 'inherit'}).status ?? 1);
