@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/Loop_through_locations.h>
 #include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
+#include <CGAL/Surface_mesh_constrictions/Plane_section.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Removed_handle.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
@@ -45,6 +46,7 @@
 #include <CGAL/Surface_mesh_constrictions/nested_parts.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/plane_section_at_location.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/remove_handles.h>
 #include <CGAL/Surface_mesh_constrictions/section_seeds.h>

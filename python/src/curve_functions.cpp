@@ -71,6 +71,12 @@ std::vector<Geodesic_loop> Prepared_mesh::girth(const Mesh::Point& location, std
   return result;
 }
 
+Plane_section Prepared_mesh::section(const Mesh::Point& location, const Mesh::Point::R::Vector_3& axis,
+                                     bool certify) const
+{
+  return m_query->query.plane_section(location, axis, SMC::parameters::certify(certify));
+}
+
 std::vector<Tightened_curve> Prepared_mesh::tighten(const std::vector<std::vector<Mesh::Vertex_index>>& loops,
                                                     bool certify, Monitor& monitor) const
 {

@@ -38,6 +38,13 @@ struct Surface_loop
   mutable Located_points located; ///< made when it is first asked for
 };
 
+/// The class `PlaneSection` of Python.
+struct Surface_section
+{
+  std::shared_ptr<const Surface> surface;
+  Plane_section section;
+};
+
 /// The class `TightenedCurve` of Python.
 struct Tightened_loop
 {

@@ -43,6 +43,7 @@ public:
   Detected near(const Mesh::Point& location, const Search& search, Monitor& monitor) const;
   std::vector<Geodesic_loop> girth(const Mesh::Point& location, std::size_t maximum_number,
                                    std::optional<double> minimum_angle, bool certify) const;
+  Plane_section section(const Mesh::Point& location, const Mesh::Point::R::Vector_3& axis, bool certify) const;
   std::vector<Tightened_curve> tighten(const std::vector<std::vector<Mesh::Vertex_index>>& loops, bool certify,
                                        Monitor& monitor) const;
 

@@ -62,11 +62,11 @@ void define_invalid_input(py::module_& module)
   });
 }
 
-Mesh::Point as_point(const py::object& location)
+Mesh::Point as_point(const py::object& location, const std::string& name = "the location")
 {
-  const Double_array array = as_doubles(location, "the location", 0);
+  const Double_array array = as_doubles(location, name, 0);
   if(array.size() != 3)
-    throw py::value_error("the location has " + std::to_string(array.size()) + " coordinates, it must have 3");
+    throw py::value_error(name + " has " + std::to_string(array.size()) + " coordinates, it must have 3");
   const auto p = array.unchecked<1>();
   return Mesh::Point(p(0), p(1), p(2));
 }
@@ -97,6 +97,17 @@ py::list girth_of(const Surface_pointer& surface, const py::object& location, st
   py::list result;
   for(const Geodesic_loop& l : loops)
     result.append(std::make_shared<Surface_loop>(Surface_loop{surface, l, {}}));
+  return result;
+}
+
+Surface_section section_of(const Surface_pointer& surface, const py::object& location, const py::object& axis,
+                           bool certifies)
+{
+  const Mesh::Point point = as_point(location), direction = as_point(axis, "the axis");
+  Surface_section result = {surface, {}};
+  compute(py::none(), [&](Monitor& monitor) {
+    result.section = prepared(*surface, monitor)->section(point, direction - CGAL::ORIGIN, certifies);
+  });
   return result;
 }
 
@@ -266,7 +277,7 @@ Returns Constrictions, a sequence.)")
      max_number=None, all=False, rims=False, crossing=False, certify=True, certified_only=False, progress=None)
 
 Finds the constrictions around a location, the nearest first: "the loop around this arm". Where nothing is narrow there
-are none. The first call of near(), girth() or tighten() prepares the surface; all later ones are fast.
+are none. The first call of near(), girth(), section() or tighten() prepares the surface; all later ones are fast.
 
 location: (3,) float64, a point on the surface or near it.
 
@@ -286,6 +297,18 @@ certify: prove what the curves become when they are let go.
 
 Returns a list of GeodesicLoop; an empty one where nothing holds. Raises InvalidInput for a coordinate that is no finite
 number, ValueError for another shape. Ctrl-C is noticed when it is done.)")
+      .def("section", &section_of, py::arg("location"), py::arg("axis"), py::kw_only(), py::arg("certify") = true,
+           R"(section(location, axis, *, certify=True)
+
+Cuts the surface with the plane through a location that is perpendicular to an axis: the girth of a limb along a given
+direction, and the geodesic loop nearest to it.
+
+location: (3,) float64; it stands for the point of the surface that is nearest to it.
+axis: (3,) float64, the direction of the limb, of any length but 0.
+certify: prove what the loop becomes when it is let go.
+
+Returns a PlaneSection. Raises InvalidInput for a coordinate that is no finite number, and for an axis of length 0,
+ValueError for another shape. Ctrl-C is noticed when it is done.)")
       .def("tighten", &tighten_all, py::arg("loops"), py::kw_only(), py::arg("certify") = true,
            py::arg("progress") = py::none(),
            R"(tighten(loops, *, certify=True, progress=None)

@@ -97,6 +97,20 @@ const char* name_of(SMC::Input_defect defect)
   return "";
 }
 
+const char* name_of(SMC::Section_kind kind)
+{
+  switch(kind)
+  {
+  case SMC::Section_kind::CLOSED:
+    return "closed";
+  case SMC::Section_kind::OPEN:
+    return "open";
+  case SMC::Section_kind::POINT:
+    return "point";
+  }
+  return "";
+}
+
 const char* name_of(SMC::Seed_origin origin)
 {
   switch(origin)

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/Plane_section.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Tightening_verdict.h>
 
@@ -18,6 +19,7 @@ const char* name_of(CGAL::Surface_mesh_constrictions::Certificate_verdict verdic
 const char* name_of(CGAL::Surface_mesh_constrictions::Curve_side side);
 const char* name_of(CGAL::Surface_mesh_constrictions::Detection_stage stage);
 const char* name_of(CGAL::Surface_mesh_constrictions::Input_defect defect);
+const char* name_of(CGAL::Surface_mesh_constrictions::Section_kind kind);
 const char* name_of(CGAL::Surface_mesh_constrictions::Seed_origin origin);
 const char* name_of(CGAL::Surface_mesh_constrictions::Side side);
 const char* name_of(CGAL::Surface_mesh_constrictions::Tightening_verdict verdict);

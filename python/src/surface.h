@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
+#include <CGAL/Surface_mesh_constrictions/Plane_section.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -20,6 +21,7 @@ namespace constrictions {
 typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Mesh;
 typedef CGAL::Surface_mesh_constrictions::Constriction<Mesh> Constriction;
 typedef CGAL::Surface_mesh_constrictions::Geodesic_loop<Mesh> Geodesic_loop;
+typedef CGAL::Surface_mesh_constrictions::Plane_section<Mesh> Plane_section;
 
 class Prepared_mesh;
 

@@ -159,6 +159,25 @@ def test_girth_is_measured_at_a_place(cactus, found):
     assert constrictions.Surface(*TETRAHEDRON).girth([0.3, 0.3, 0], min_angle=3.2) == []
 
 
+def test_sections_are_measured_along_an_axis():
+    tube = constrictions.Surface(*hourglass())
+    place = tube.vertices[36]
+    section = tube.section(place, [0, 0, 1])
+    assert section.kind == "closed" and section.curves == 1
+    ring = tube.vertices[36:48]
+    assert section.length == pytest.approx(np.linalg.norm(ring - np.roll(ring, 1, axis=0), axis=1).sum())
+    assert section.points[0] == pytest.approx(place) and section.points[:, 2] == pytest.approx(4)
+    assert section.loop.length == pytest.approx(section.length)
+    assert repr(section).startswith("<constrictions.PlaneSection: closed, length ")
+    corner = constrictions.Surface(*TETRAHEDRON)
+    touching = corner.section(corner.vertices[3], corner.vertices[3] - corner.vertices[:3].mean(axis=0))
+    assert touching.kind == "point" and touching.length == 0 and touching.loop is None
+    with pytest.raises(constrictions.InvalidInput, match="axis has length 0"):
+        tube.section(place, [0, 0, 0])
+    with pytest.raises(ValueError, match="the axis has 2 coordinates"):
+        tube.section(place, [0, 1])
+
+
 def test_loops_are_tightened():
     surface = constrictions.Surface(*hourglass())
     around = lambda ring: np.arange(12 * ring, 12 * ring + 12)

@@ -103,6 +103,18 @@ def test_girths_are_those_of_the_program():
         assert (loop.constriction.length if loop.constriction else None) == held["let_go_length"]
 
 
+def test_sections_are_those_of_the_program():
+    place, axis = [0.28, 0.1, 0.1], [0.3, -1, 0.2]
+    answer = run("girth", "cactus.off", "--at", ",".join(map(str, place)), "--axis=" + ",".join(map(str, axis)))
+    section = constrictions.Surface(*read_off("cactus.off")).section(place, axis)
+    (expected,) = answer["sections"]
+    assert (section.kind, section.length, section.curves) == (expected["kind"], expected["length"], expected["curves"])
+    assert section.points.tolist() == expected["points"]
+    assert [section.loop is None] == [expected["constriction"] is None]
+    if section.loop:
+        check_same(section.loop, answer["constrictions"][expected["constriction"]])
+
+
 def test_the_program_certifies_what_the_module_finds(tmp_path):
     surface = constrictions.Surface(*read_off("elephant.off"))
     curves = [

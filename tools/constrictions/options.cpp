@@ -434,16 +434,26 @@ void add_girth_options(CLI::App& command, Girth& girth)
           "hold the loops at this place, or at the point of the surface that is nearest to it")
       ->type_name("X,Y,Z")
       ->check(is_location());
+  CLI::Option* const axis =
+      command
+          .add_option_function<std::string>(
+              "--axis", [&girth](const std::string& text) { girth.axis = parse_location(text); },
+              "the direction of the limb: measure the section with the plane through the place that is perpendicular "
+              "to it, and report the loop that the section becomes when it is tightened with the place held")
+          ->type_name("X,Y,Z")
+          ->check(is_location());
   command.add_option("--max", girth.maximum_number, "report N loops at most, the shortest ones; by default 1")
       ->type_name("N")
-      ->check(whole_number(1));
+      ->check(whole_number(1))
+      ->excludes(axis);
   command
       .add_option(
           "--min-angle", girth.minimum_angle,
           "leave out loops whose angle at the place, in radians, is less than this, by default 0.785; it is near 3.14 "
           "around a tube, and small where a loop runs to a limb, around it, and back")
       ->type_name("A")
-      ->check(not_negative());
+      ->check(not_negative())
+      ->excludes(axis);
 }
 
 // Two whole numbers with a slash between them, 1 <= I <= N.
@@ -649,6 +659,8 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
       throw CLI::RequiredError("--loops, --through or --labels");
     if(options.command == Command::GIRTH && !options.girth.location && options.landmarks.empty())
       throw CLI::RequiredError("--at or --landmarks");
+    if(options.girth.axis && *options.girth.axis == std::array<double, 3>{{0, 0, 0}})
+      throw CLI::ValidationError("--axis", "give a direction that is not 0,0,0");
     if(options.command != Command::BATCH) // whose folder has files of other names
       check_files(options);
   }

@@ -65,6 +65,7 @@ struct Girth
   std::optional<std::array<double, 3>> location; ///< or else at landmarks
   std::size_t maximum_number = 1;
   double minimum_angle = 0.78539816339744828; ///< radians; a quarter of pi, as in the library
+  std::optional<std::array<double, 3>> axis;  ///< of the limb, perpendicular to the plane of a section
 };
 
 /// Which constrictions cut the surface into parts, or cut handles off, and what is written of the result.

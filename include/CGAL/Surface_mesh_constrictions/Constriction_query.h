@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
 #include <CGAL/Surface_mesh_constrictions/Loop_through_locations.h>
+#include <CGAL/Surface_mesh_constrictions/Plane_section.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/Tightened_curve.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/detect/held_loops.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/loop_through.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/loops_at_location.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/section_at_location.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/tighten_loops.h>
 #include <CGAL/Surface_mesh_constrictions/internal/seeds/Packed_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/internal/seeds/find_seeds.h>
@@ -75,6 +77,7 @@ struct Tightening_query_parameters : Known_parameters<internal_np::certify_t>
 /// - `geodesic_loops()` and `girth()`: `geodesic_loops_at_location()`
 /// - `tighten()`: `tighten_closed_curves()`
 /// - `loop_through()`: `geodesic_loop_through_locations()`
+/// - `plane_section()`: `plane_section_at_location()`
 ///
 /// All queries are `const`, and several threads may call them at a time. The mesh and its points must neither change
 /// nor be destroyed as long as the object lives.
@@ -324,6 +327,38 @@ public:
                                     choose_parameter(get_parameter(np, internal_np::certify), true));
     else
       return internal::no_result<Loop_through_locations<TriangleMesh>>();
+  }
+
+  /// cuts the surface with the plane through a location that is perpendicular to an axis, and tightens the curve through
+  /// the location, as `plane_section_at_location()` does.
+  ///
+  /// \tparam Location a vertex descriptor of `TriangleMesh`, or `Face_location`, or a 3D point of any kernel
+  /// \tparam Vector a 3D vector of any kernel
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param location a place on the surface
+  /// \param axis the direction of the axis, of any length but 0
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" that may have `certify`
+  ///
+  /// \return the curve, and the geodesic loop that it becomes
+  /// \throws Invalid_input for a location or an axis that cannot be used, as `plane_section_at_location()`, and, with
+  ///         `certify`, for a coordinate that is not a rational number of moderate size
+  /// \cost linear in the number of faces that the curve crosses, plus that of `tighten()`. A location that is not a
+  ///       vertex costs a copy of the mesh's connectivity and points.
+  template <class Location, class Vector, class NamedParameters = CGAL::parameters::Default_named_parameters>
+  Plane_section<TriangleMesh> plane_section(const Location& location, const Vector& axis,
+                                            const NamedParameters& np = CGAL::parameters::default_values()) const
+  {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+    if constexpr(internal::check_parameters<internal::Tightening_query_parameters, NamedParameters>())
+    {
+      const internal::Vector3 direction = internal::given_axis(axis);
+      return internal::Section_at_location<TriangleMesh, VertexPointMap>(m_prepared, location)
+          .section(direction, choose_parameter(get_parameter(np, internal_np::certify), true));
+    }
+    else
+      return internal::no_result<Plane_section<TriangleMesh>>();
   }
 
 private:

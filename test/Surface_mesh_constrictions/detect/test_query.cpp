@@ -13,6 +13,7 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <gtest/gtest.h>
 
@@ -21,8 +22,10 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <random>
 #include <string>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -341,6 +344,53 @@ TEST(Query, GirthsOfALargeMeshAreFoundWithItsLevels)
                 CGAL::to_double(CGAL::Polygon_mesh_processing::area(mesh)) * (girth->separating ? 1 : 2), 1e-6);
   }
   EXPECT_GT(with_girth, 0u);
+}
+
+// Around a long prism the girth is its perimeter wherever the ends are further away than that.
+TEST(Query, GirthsOfALargePrismAreItsPerimeter)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::box(16, 16, 280));
+  ASSERT_GT(mesh.number_of_vertices(), 4 * SMC::internal::searching_vertices);
+  const Query query(mesh);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> height(70, 210), along(0, 16);
+  for(int i = 0; i < 20; ++i)
+  {
+    const Point place = i % 2 == 0 ? Point(16, along(random), height(random))
+                                   : Point(std::floor(along(random)), 0, std::floor(height(random)));
+    SCOPED_TRACE(place);
+    const auto girth = query.girth(place);
+    ASSERT_TRUE(girth);
+    EXPECT_NEAR(girth->length, 64, 1e-9);
+  }
+}
+
+// The loops that are found with levels are not longer than those of the search on the whole mesh. Where paths that lead
+// away from the vertex are narrow, as on a scan, a loop of a level is led around it on the right side.
+TEST(Query, GirthsOfALargeMeshAreThoseOfTheSearchOnAllOfIt)
+{
+  namespace internal = SMC::internal;
+  const Mesh mesh = real_meshes::read("man.off");
+  ASSERT_GT(mesh.number_of_vertices(), 4 * internal::searching_vertices);
+  const Query query(mesh);
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  internal::Prepared_surface<Mesh, std::decay_t<decltype(vpm)>> whole(
+      mesh, vpm, CGAL::get_initialized_vertex_index_map(mesh, CGAL::parameters::default_values()));
+  whole.hold_no_levels();
+  std::mt19937 random(1);
+  for(int i = 0; i < 6; ++i)
+  {
+    const SMC::Index v = static_cast<SMC::Index>(random() % mesh.number_of_vertices());
+    SCOPED_TRACE(v);
+    const auto expected = internal::held_loops(whole.surface(), v, internal::least_loop_angle, whole.length_unit());
+    const auto girth = query.girth(Mesh::Vertex_index(v));
+    ASSERT_EQ(girth.has_value(), !expected.empty());
+    if(girth)
+    {
+      const double length = whole.imported().unit().restored(internal::total_length(expected[0]));
+      EXPECT_LE(girth->length, length * (1 + 1e-9));
+    }
+  }
 }
 
 } // namespace test_query

@@ -199,6 +199,38 @@ TEST_F(Girth, at_many_places)
   EXPECT_EQ(run("girth dumbbell.off --landmarks landmarks.csv --at 1,2,3").exit_code, 2);
 }
 
+// Along the tube, aslant, and where the plane touches the surface.
+TEST_F(Girth, along_an_axis_it_is_that_of_a_plane_section)
+{
+  const json found = girth("dumbbell.off --at 4.25,1.5,1 --axis 1,0,1"); // 2 of 4 sides are longer by sqrt(2)
+  ASSERT_EQ(found["sections"].size(), 1u);
+  const json section = found["sections"][0];
+  EXPECT_EQ(section["kind"], "closed");
+  EXPECT_EQ(section["curves"], 1);
+  EXPECT_NEAR(section["length"], 2 + 2 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(length(section["points"]), section["length"], 1e-12);
+  EXPECT_EQ(section["points"].size(), section["locations"].size());
+  ASSERT_EQ(section["constriction"], 0);
+  EXPECT_NEAR(found["constrictions"][0]["length"], 4, 1e-12);
+  EXPECT_EQ(found["constrictions"][0]["held"]["let_go"], "constriction");
+
+  const json touching = girth("dumbbell.off --at 0,1.5,1.5 --axis 1,0,0");
+  EXPECT_EQ(touching["sections"][0]["kind"], "point");
+  EXPECT_TRUE(touching["sections"][0]["constriction"].is_null());
+  EXPECT_TRUE(touching["constrictions"].empty());
+  const Result r = run("girth dumbbell.off --at 0,1.5,1.5 --axis 1,0,0");
+  EXPECT_NE(r.out.find("section 0: none\n"), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("only touches the surface"), std::string::npos) << r.out;
+
+  write("landmarks.csv", "tube,4.25,1.5,1\nend,0,1.5,1.5\n");
+  const json both = girth("dumbbell.off --landmarks landmarks.csv --axis 1,0,0");
+  ASSERT_EQ(both["sections"].size(), 2u);
+  EXPECT_NEAR(both["sections"][0]["length"], 4, 1e-12);
+  EXPECT_EQ(both["sections"][1]["kind"], "point");
+  EXPECT_EQ(both["landmarks"][0]["constrictions"], json({0}));
+  EXPECT_EQ(both["landmarks"][1]["hint"], "The plane through this place only touches the surface.");
+}
+
 TEST_F(Girth, loops_through_places)
 {
   write("places.txt", "# around the tube\n4.2,1,1.5 4,1.5,1 3.8,2,1.5 4,1.5,2\n");
@@ -227,7 +259,9 @@ TEST_F(Girth, loops_through_places)
 TEST_F(Girth, wrong_usage)
 {
   for(const char* arguments : {"girth dumbbell.off", "girth dumbbell.off --at 1,2", "girth dumbbell.off --at 1,2,nan",
-                               "girth dumbbell.off --at 1,2,3 --max 0", "girth dumbbell.off --at 1,2,3 --min-angle -1"})
+                               "girth dumbbell.off --at 1,2,3 --max 0", "girth dumbbell.off --at 1,2,3 --min-angle -1",
+                               "girth dumbbell.off --at 1,2,3 --axis 0,0,0", "girth dumbbell.off --at 1,2,3 --axis 1,0",
+                               "girth dumbbell.off --at 1,2,3 --axis 1,0,0 --max 2"})
     EXPECT_EQ(run(arguments).exit_code, 2) << arguments;
   EXPECT_EQ(run("girth missing.off --at 1,2,3").exit_code, 1);
   const Result help = run("girth --help");

@@ -87,6 +87,8 @@ protected:
                                  "girth tetrahedron.off --at 1,0,0 --json -",
                                  "tighten dumbbell.off --loops loops.txt --json -",
                                  "girth dumbbell.off --landmarks landmarks.csv --json -",
+                                 "girth dumbbell.off --landmarks landmarks.csv --axis 1,0,0 --json -",
+                                 "girth tube.off --at 0,0,0.5 --axis 1,0,0 --json -",
                                  "detect dumbbell.off --landmarks landmarks.csv --json -",
                                  "tighten dumbbell.off --through places.txt --json -",
                                  "tighten dumbbell.off --labels labels.txt --json -",
@@ -152,7 +154,7 @@ TEST_F(Schemas, are_understood_by_jsonschema)
                        "for value in json.load(open(sys.argv[2])):\n"
                        "    validator(schema).validate(value)\n"
                        "    optional = ['file_bytes', 'borders', 'label_parts', 'face_labels', 'landmarks',\n"
-                       "                'held_loops']\n"
+                       "                'held_loops', 'sections']\n"
                        "    for name in [name for name in value if name not in optional]:\n"
                        "        less = {k: v for k, v in value.items() if k != name}\n"
                        "        assert not validator(schema).is_valid(less), name\n");

@@ -130,6 +130,15 @@ void find_girths(const std::vector<Landmark>& landmarks, const Girth& girth, boo
   for(const Landmark& landmark : landmarks)
   {
     const std::size_t before = report.constrictions.size();
+    if(girth.axis)
+    {
+      const std::string hint =
+          add_section(query.plane_section(point(landmark), as_vector(*girth.axis), SMC::parameters::certify(certifies)),
+                      certifies, report);
+      report.landmarks.push_back({landmark, ids_from(report, before), hint});
+      monitor.step(report.landmarks.size());
+      continue;
+    }
     std::vector<Geodesic_loop> loops;
     query.geodesic_loops(point(landmark), std::back_inserter(loops),
                          SMC::parameters::maximum_number_of_loops(girth.maximum_number)

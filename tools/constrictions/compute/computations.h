@@ -16,6 +16,7 @@
 #include "output/report.h"
 #include "view/playback.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -62,6 +63,14 @@ void find_girths(const std::vector<Landmark>& landmarks, const Girth& girth, boo
 
 /// appends loops that are held at a place to the curves of the report.
 void add_loops(const std::vector<Geodesic_loop>& loops, bool certifies, Report& report);
+
+/// a direction of the user
+Mesh::Point::R::Vector_3 as_vector(const std::array<double, 3>& axis);
+
+/// appends a section to those of the report, and the loop that it becomes to its curves. Returns why there is no loop,
+/// or an empty text.
+std::string add_section(const CGAL::Surface_mesh_constrictions::Plane_section<Mesh>& section, bool certifies,
+                        Report& report);
 
 /// why there is no loop at a place: whether some are that are folded more than asked
 std::string girth_hint(bool has_folded);

@@ -4,11 +4,13 @@
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/geodesic_loops_at_location.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
+#include <CGAL/Surface_mesh_constrictions/plane_section_at_location.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,6 +78,27 @@ void add_loops(const std::vector<Geodesic_loop>& loops, bool certifies, Report& 
   }
 }
 
+Mesh::Point::R::Vector_3 as_vector(const std::array<double, 3>& axis) { return {axis[0], axis[1], axis[2]}; }
+
+std::string add_section(const SMC::Plane_section<Mesh>& section, bool certifies, Report& report)
+{
+  report.sections.push_back({section, std::nullopt});
+  switch(section.kind)
+  {
+  case SMC::Section_kind::POINT:
+    return "The plane through this place only touches the surface.";
+  case SMC::Section_kind::OPEN:
+    return "The section through this place ends at a boundary of the surface.";
+  case SMC::Section_kind::CLOSED:
+    break;
+  }
+  if(!section.loop)
+    return "The section through this place shrinks to a point when it is tightened.";
+  report.sections.back().curve = report.constrictions.size();
+  add_loops({*section.loop}, certifies, report);
+  return "";
+}
+
 std::string girth_hint(bool has_folded)
 {
   return has_folded ? "The closed curves through this place that hold are folded there: their angles are less than "
@@ -89,6 +112,15 @@ void find_girth(const Girth& girth, bool certifies, Stage_monitor& monitor, Repo
   monitor.begin(SMC::Detection_stage::TIGHTENING, 1);
   const std::array<double, 3>& at = *girth.location;
   const Mesh::Point place(at[0], at[1], at[2]);
+  if(girth.axis)
+  {
+    report.hint = add_section(
+        SMC::plane_section_at_location(report.mesh, place, as_vector(*girth.axis), SMC::parameters::certify(certifies)),
+        certifies, report);
+    monitor.step(1);
+    monitor.end(SMC::Detection_stage::TIGHTENING);
+    return;
+  }
   std::vector<Geodesic_loop> loops;
   SMC::geodesic_loops_at_location(report.mesh, place, std::back_inserter(loops),
                                   SMC::parameters::maximum_number_of_loops(girth.maximum_number)

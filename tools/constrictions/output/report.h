@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
 #include <CGAL/Surface_mesh_constrictions/Loop_through_locations.h>
+#include <CGAL/Surface_mesh_constrictions/Plane_section.h>
 
 #include <cstddef>
 #include <optional>
@@ -50,6 +51,13 @@ struct Held_loop
   std::optional<std::size_t> constriction; ///< its id
 };
 
+/// The section with the plane through a place, and the loop that it becomes when it is tightened.
+struct Section_answer
+{
+  CGAL::Surface_mesh_constrictions::Plane_section<Mesh> section;
+  std::optional<std::size_t> curve; ///< the id of the loop
+};
+
 /// What a run of the program has found.
 struct Report
 {
@@ -63,11 +71,18 @@ struct Report
   std::optional<Labelling> labelling;     ///< of `tighten` with labels
   std::vector<Landmark_answer> landmarks; ///< of places in a file, in their order; else empty
   std::vector<Held_loop> held_loops;      ///< of `tighten` through places
+  std::vector<Section_answer> sections;   ///< of `girth` along an axis, one for each place
   CGAL::Surface_mesh_constrictions::Detection_statistics statistics;
   Stage_seconds seconds;
   std::vector<std::string> remarks; ///< lines about loops of the user that did not become constrictions
   std::string hint;                 ///< a sentence that says how more is found, if nothing was; may be empty
 };
+
+/// what a section is at its place: closed, open or point
+std::string section_name(CGAL::Surface_mesh_constrictions::Section_kind kind);
+
+/// the sections, a line for each
+std::string sections_as_text(const Report& report);
 
 /// the report in the format "constrictions/1", in one line
 std::string report_as_json(const Report& report);

@@ -189,6 +189,23 @@ Json held_loops_as_json(const Report& report)
   return result;
 }
 
+Json sections_as_json(const Report& report)
+{
+  Json result = Json::array();
+  for(const Section_answer& a : report.sections)
+  {
+    std::vector<Mesh::Point> points;
+    a.section.points(report.mesh, std::back_inserter(points));
+    result.push_back({{"kind", section_name(a.section.kind)},
+                      {"length", a.section.length},
+                      {"curves", a.section.number_of_curves},
+                      {"points", points_as_json(points)},
+                      {"locations", locations_as_json(a.section.locations, report.mesh, report.file.numbering)},
+                      {"constriction", a.curve ? Json(*a.curve) : Json()}});
+  }
+  return result;
+}
+
 // The borders, the parts between them, and the labels of the faces of the file.
 void add_labelling(const Report& report, Json& json)
 {
@@ -247,6 +264,8 @@ std::string report_as_json(const Report& report)
     json["landmarks"] = landmarks_as_json(report);
   if(!report.held_loops.empty())
     json["held_loops"] = held_loops_as_json(report);
+  if(!report.sections.empty())
+    json["sections"] = sections_as_json(report);
   // a file name need not be UTF-8, JSON must be
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

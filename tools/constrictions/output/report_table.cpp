@@ -156,7 +156,7 @@ std::string report_as_table(const Report& report, bool is_verbose)
   {
     for(std::size_t id = 0; id < n; ++id)
       out << loop_as_text(report, id) << '\n';
-    out << landmarks_as_text(report) << n << (n == 1 ? " loop\n" : " loops\n");
+    out << sections_as_text(report) << landmarks_as_text(report) << n << (n == 1 ? " loop\n" : " loops\n");
     if(!report.hint.empty())
       out << report.hint << '\n';
     return out.str();

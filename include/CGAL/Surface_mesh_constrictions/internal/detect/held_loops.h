@@ -30,6 +30,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -43,8 +44,19 @@ constexpr std::size_t max_held_seeds = 4096;
 // A loop with a smaller angle at the location runs to something, around it, and back by nearly the same way.
 constexpr double least_loop_angle = CGAL_PI / 4;
 
-// The same on a large surface: on a level, and on finer ones around the location alone, among so many vertices.
-constexpr std::size_t max_level_seeds = 1024, max_local_seeds = 256, max_local_vertices = 2048;
+// The same on a large surface: on a level, and on finer ones and on the surface itself around the location alone, among
+// so many vertices.
+constexpr std::size_t max_level_seeds = 256, max_local_seeds = 128, max_local_vertices = 1024;
+
+// On the first of the finer levels so many vertices are looked at, and on the surface itself beside a loop.
+constexpr std::size_t max_level_vertices = 8192, max_vertices_beside = 6144, max_seeds_beside = 8;
+
+// To put the location into a level with more vertices would take longer than the search; its vertices are near enough.
+constexpr std::size_t max_vertices_with_location = 65536;
+
+// The vertices of a loop are no further away from where it is held than half its length. Paths along edges are a bit
+// longer, up to 2 / sqrt(3) times among equilateral triangles.
+constexpr double greatest_detour = 1.2;
 
 // Loops of edges are looked for on a surface with no fewer vertices than this.
 constexpr std::size_t least_held_vertices = 4096;
@@ -210,24 +222,31 @@ struct Level_loop
   double length, distance; // of the loop, and of the point from the location
 };
 
-// The loops of a level at a location, found among so many vertices and loops of edges: those that are simple and have a
-// certain angle, and those that are or have not. `nearest` is a vertex of T^0 at the location or joined to it. Cost:
-// that of `Loops_at_vertex` on the level, plus that of tightening each loop until it meets the way of another one.
-inline void find_loops_on_level(const Level_copy& level, Index nearest, const Progressive_mesh::Point& location,
-                                std::size_t most_vertices, std::size_t most_loops, double minimum_angle,
+// The loops of a level at a location, found among so many vertices and loops of edges, that are not longer than a
+// greatest length: those that are simple and have a certain angle, and those that are or have not. `unit` of T^0;
+// `nearest` is a vertex of T^0 at the location or joined to it. Cost: that of `Loops_at_vertex` on the level, plus that
+// of tightening each loop until it meets the way of another one.
+inline void find_loops_on_level(const Level_copy& level, const Length_unit& unit, Index nearest,
+                                const Progressive_mesh::Point& location, std::size_t most_vertices,
+                                std::size_t most_loops, double greatest_length, double minimum_angle,
                                 std::vector<Level_loop>& loops, std::vector<Level_loop>& doubtful)
 {
   const Index root = level.vertex(nearest);
-  const Level_with_location with(level.surface(), root, location);
-  const Progressive_mesh& pm = with.surface();
-  const double distance = norm(vector(location, pm.point(with.vertex())));
-  Held_curves curves(pm, with.vertex(), Length_unit(pm));
-  for(const std::vector<Index>& path : Loops_at_vertex(pm, with.vertex(), most_vertices).paths(most_loops))
+  std::optional<Level_with_location> with;
+  if(level.surface().number_of_vertices() <= max_vertices_with_location)
+    with.emplace(level.surface(), root, location);
+  const Progressive_mesh& pm = with ? with->surface() : level.surface();
+  const Index vertex = with ? with->vertex() : root;
+  const double distance = norm(vector(location, pm.point(vertex)));
+  Held_curves curves(pm, vertex, unit);
+  Loops_at_vertex around(pm, vertex, most_vertices, greatest_detour * (greatest_length / 2 + distance),
+                         [](Index) { return true; });
+  for(const std::vector<Index>& path : around.paths(most_loops))
     curves.insert(path);
   for(const std::vector<Arc>& arcs : curves.ends())
   {
     Level_loop loop = {&level, vertices_beside(pm, trace(pm, arcs)), total_length(arcs), distance};
-    std::replace(loop.path.begin(), loop.path.end(), with.vertex(), root);
+    std::replace(loop.path.begin(), loop.path.end(), vertex, root);
     (is_held_loop(pm, arcs, minimum_angle) ? loops : doubtful).push_back(std::move(loop));
   }
 }
@@ -241,66 +260,111 @@ public:
     : m_vertex(vertex), m_nearest(nearest), m_to_input(pm)
   {}
 
-  // The closed path from the vertex to the loop, along it, and back; with fewer than three vertices if there is none.
+  // The closed path along the loop, from the vertex on, which it passes once; with fewer than three vertices if there
+  // is none.
   std::vector<Index> operator()(const Level_loop& loop)
   {
     const Level_copy& level = *loop.level;
-    const Index root = level.vertex(m_nearest), original = level.original(root);
-    // a curve that passed the vertex a second time would be held there, too
-    const auto merged_into = [&](Index v) { return v == m_vertex && v != original ? null_index : level.vertex(v); };
-    std::vector<Index> stem;
-    if(m_vertex != m_nearest)
-      stem.push_back(m_vertex);
-    m_to_input.append(
-        m_nearest, original, [&](Index v) { return v == m_vertex || level.vertex(v) == root; }, stem);
-    const std::vector<Index> around = m_to_input.with_spurs(
-        loop.path, [&level](Index v) { return level.original(v); }, merged_into);
+    const Index root = level.vertex(m_nearest);
     std::vector<Index> path;
-    const auto append = [&path](Index v) {
-      if(path.size() > 1 && path[path.size() - 2] == v)
-        path.pop_back();
-      else if(path.empty() || path.back() != v)
-        path.push_back(v);
+    Index from = m_vertex, before = root; // and the vertex of the level that stands for it
+    bool passes_root = true;
+    const auto lead = [&](Index to, Index stands_for_it) {
+      // a curve that passed the vertex a second time would be held there, too
+      const auto is_allowed = [&](Index v) {
+        if(v == m_vertex)
+          return from == m_vertex || to == m_vertex;
+        const Index merged = level.vertex(v);
+        return merged == before || merged == stands_for_it || (passes_root && merged == root);
+      };
+      const bool is_led = m_to_input.append(from, to, is_allowed, path);
+      from = to;
+      before = stands_for_it;
+      passes_root = false;
+      return is_led;
     };
-    for(Index v : stem)
-      append(v);
-    for(Index v : around)
-      append(v);
-    append(original);
-    for(auto v = stem.rbegin(); v != stem.rend(); ++v)
-      append(*v);
-    if(path.size() > 1 && path.back() == path.front())
-      path.pop_back();
-    return around.empty() || path.front() != m_vertex ? std::vector<Index>() : path;
+    for(Index v : loop.path)
+      if(v == root)
+        passes_root = true;
+      else if(v != before && !lead(level.original(v), v))
+        return {};
+    if(from == m_vertex || !lead(m_vertex, root))
+      return {};
+    remove_spurs_inside(path);
+    return path;
   }
 
 private:
+  // A path may lead to the vertex that stands for those of a cluster, and back.
+  static void remove_spurs_inside(std::vector<Index>& path)
+  {
+    std::size_t end = 0;
+    for(Index v : path)
+      if(end > 1 && path[end - 2] == v)
+        --end;
+      else
+        path[end++] = v;
+    path.resize(end);
+  }
+
   const Index m_vertex, m_nearest;
   Paths_to_finer_level m_to_input;
 };
 
+// Which vertices of a level are those that vertices of T^0 have been merged into, or joined to one of these. `nearest`
+// stands for a vertex that has been put in. Linear in the size of the level.
+inline std::vector<bool> vertices_near(const Level_copy& level, Index nearest, const std::vector<Index>& vertices,
+                                       Index inserted)
+{
+  std::vector<bool> result(level.surface().number_of_vertex_ids(), false);
+  for(Index v : vertices)
+  {
+    const Index u = level.vertex(v == inserted ? nearest : v), begin = level.surface().outgoing(u);
+    result[u] = true;
+    Index h = begin;
+    do
+    {
+      result[level.surface().target(h)] = true;
+      h = level.surface().ccw(h);
+    } while(h != begin);
+  }
+  return result;
+}
+
 // The same on a large surface, `pm`, which is that of `prepared` or that with `vertex` put in. The loops are looked for
 // on a level, and around the vertex alone, as small ones may be too small for that level, on the finer levels and on
 // the surface itself. Those that are tight on a level, the shortest first, are led to the surface and tightened again,
-// as far as they may be among the shortest. `nearest` is a vertex of T^0 at `vertex` or joined to it. At most
-// `maximum_number` loops. Cost: that of `find_loops_on_level()` for each level; plus, for each loop that is led to the
-// surface, that of `Paths_to_finer_level` and of tightening it.
+// as far as they may be among the shortest. What is shorter than the shortest of them, but for a bump that it passes on
+// the other side, is looked for on the surface beside it. `nearest` is a vertex of T^0 at `vertex` or joined to it. At
+// most `maximum_number` loops. Cost: that of `find_loops_on_level()` for each level; plus, for each loop that is led to
+// the surface, that of `Paths_to_finer_level` and of tightening it.
 template <class TriangleMesh, class VertexPointMap>
 std::vector<std::vector<Arc>> held_loops_of_levels(const Prepared_surface<TriangleMesh, VertexPointMap>& prepared,
                                                    const Progressive_mesh& pm, Index vertex, Index nearest,
                                                    double minimum_angle, std::size_t maximum_number)
 {
+  constexpr std::size_t all = (std::numeric_limits<std::size_t>::max)();
+  constexpr double infinity = (std::numeric_limits<double>::infinity)();
   const Progressive_mesh::Point location = pm.point(vertex);
   std::vector<Level_loop> level_loops, doubtful;
   const Level_copy& level = prepared.searching()->of.copy;
-  find_loops_on_level(level, nearest, location, (std::numeric_limits<std::size_t>::max)(), max_level_seeds,
+  const auto is_shorter = [](const Level_loop& a, const Level_loop& b) { return a.length < b.length; };
+  find_loops_on_level(level, prepared.length_unit(), nearest, location, all, max_level_seeds, infinity,
                       minimum_angle / 2, level_loops, doubtful);
+  std::stable_sort(level_loops.begin(), level_loops.end(), is_shorter);
+  std::size_t most_vertices = max_level_vertices;
   for(const Measuring_level& finer : prepared.measuring())
     if(finer.copy.surface().number_of_vertices() > 4 * level.surface().number_of_vertices())
-      find_loops_on_level(finer.copy, nearest, location, max_local_vertices, max_local_seeds, minimum_angle / 2,
-                          level_loops, doubtful);
-  const auto is_shorter = [](const Level_loop& a, const Level_loop& b) { return a.length < b.length; };
-  std::stable_sort(level_loops.begin(), level_loops.end(), is_shorter);
+    {
+      const double greatest_length =
+          level_loops.size() < maximum_number
+              ? infinity
+              : level_loops[maximum_number - 1].length + 2 * level_loops[maximum_number - 1].distance;
+      find_loops_on_level(finer.copy, prepared.length_unit(), nearest, location, most_vertices, max_local_seeds,
+                          greatest_length, minimum_angle / 2, level_loops, doubtful);
+      std::stable_sort(level_loops.begin(), level_loops.end(), is_shorter);
+      most_vertices = max_local_vertices;
+    }
   std::stable_sort(doubtful.begin(), doubtful.end(), is_shorter);
   doubtful.resize((std::min)(doubtful.size(), max_doubtful_loops));
   const std::size_t certain = level_loops.size();
@@ -327,6 +391,15 @@ std::vector<std::vector<Arc>> held_loops_of_levels(const Prepared_surface<Triang
       continue; // others may be nearer to the location
     const std::vector<Index> path = to_input(loop);
     if(path.size() > 2)
+      insert(path);
+  }
+  if(!loops.empty())
+  {
+    const std::vector<bool> is_near = vertices_near(level, nearest, vertices_beside(pm, trace(pm, loops.front())),
+                                                    vertex != nearest ? vertex : null_index);
+    Loops_at_vertex beside(pm, vertex, max_vertices_beside, greatest_detour * total_length(loops.front()) / 2,
+                           [&](Index v) { return v == vertex || is_near[level.vertex(v)]; });
+    for(const std::vector<Index>& path : beside.paths(max_seeds_beside))
       insert(path);
   }
   if(loops.size() > maximum_number)

@@ -4,6 +4,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Zeroed_array.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
 #include <algorithm>
@@ -29,16 +30,28 @@ namespace internal {
 // persistence. Once all regions are one, a loop that joins it to itself is not contractible. These loops are a greedy
 // homotopy basis (Erickson and Whittlesey 2005), and all of them are taken.
 //
-// Only the vertices that are nearest to the root, along edges, are looked at, so many of them at most. All that is
-// beyond is one region, like a hole. So the loops around a limb that leads out of that part are of those that join a
-// region to itself, if they are shorter than twice the distance of what is beyond.
+// Only the vertices that are nearest to the root, along edges, are looked at, so many of them at most, and of these only
+// those that are allowed. All that is beyond is one region, like a hole. So the loops around a limb that leads out of
+// that part are of those that join a region to itself, if they are shorter than twice the distance of what is beyond.
 class Loops_at_vertex
 {
 public:
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
   // O(n log n) for the n vertices that are looked at.
-  Loops_at_vertex(const Progressive_mesh& pm, Index root, std::size_t most_vertices) : m_pm(pm), m_root(root)
+  Loops_at_vertex(const Progressive_mesh& pm, Index root, std::size_t most_vertices)
+    : Loops_at_vertex(pm, root, most_vertices, infinity, [](Index) { return true; })
+  {}
+
+  // Looks only at vertices with is_allowed(v) that are not further away than the greatest distance. No path is longer
+  // than twice that.
+  template <class IsAllowed>
+  Loops_at_vertex(const Progressive_mesh& pm, Index root, std::size_t most_vertices, double greatest_distance,
+                  const IsAllowed& is_allowed)
+    : m_pm(pm), m_root(root), m_greatest_length(2 * greatest_distance), m_number(pm.number_of_vertex_ids()),
+      m_region_of_face(pm.number_of_face_ids())
   {
-    grow(most_vertices);
+    grow(most_vertices, greatest_distance, is_allowed);
     find_loops();
     find_persistences();
   }
@@ -52,13 +65,15 @@ public:
       return a.persistence != b.persistence ? a.persistence > b.persistence : a.length < b.length;
     });
     std::vector<std::vector<Index>> result;
-    for(std::size_t i = 0; i < m_loops.size() && i < maximum_number; ++i)
+    for(std::size_t i = 0; i < m_loops.size() && result.size() < maximum_number; ++i)
     {
+      if(m_loops[i].length > m_greatest_length)
+        continue;
       std::vector<Index> path;
-      for(Index v = m_pm.source(m_loops[i].halfedge); v != null_index; v = m_reached.at(v).parent)
+      for(Index v = m_pm.source(m_loops[i].halfedge); v != null_index; v = reached(v).parent)
         path.push_back(v);
       std::reverse(path.begin(), path.end());
-      for(Index v = m_pm.target(m_loops[i].halfedge); v != m_root; v = m_reached.at(v).parent)
+      for(Index v = m_pm.target(m_loops[i].halfedge); v != m_root; v = reached(v).parent)
         path.push_back(v);
       result.push_back(std::move(path));
     }
@@ -86,45 +101,47 @@ private:
     double longest; // of the loops in it, where it begins
   };
 
-  void grow(std::size_t most_vertices)
+  // Of a vertex that has been reached.
+  Reached& reached(Index v) { return m_reached[m_number[v] - 1]; }
+
+  bool is_settled(Index v) const { return m_number[v] != 0 && m_reached[m_number[v] - 1].is_settled; }
+
+  template <class IsAllowed>
+  void grow(std::size_t most_vertices, double greatest_distance, const IsAllowed& is_allowed)
   {
     typedef std::pair<double, Index> Entry; // distance and vertex
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    m_reached[m_root] = {0, null_index, false};
-    queue.emplace(0, m_root);
-    while(!queue.empty() && m_settled.size() < most_vertices)
+    const auto reach = [&](Index v, double distance, Index parent) {
+      if(m_number[v] == 0)
+      {
+        m_reached.push_back({infinity, null_index, false});
+        m_number[v] = static_cast<Index>(m_reached.size());
+      }
+      if(distance < reached(v).distance)
+      {
+        reached(v) = {distance, parent, false};
+        queue.emplace(distance, v);
+      }
+    };
+    reach(m_root, 0, null_index);
+    while(!queue.empty() && m_settled.size() < most_vertices && queue.top().first <= greatest_distance)
     {
       const auto [distance, u] = queue.top();
       queue.pop();
-      Reached& here = m_reached.at(u);
-      if(here.is_settled)
+      if(is_settled(u))
         continue;
-      here.is_settled = true;
+      reached(u).is_settled = true;
       m_settled.push_back(u);
       const Index begin = m_pm.outgoing(u);
       Index h = begin;
       do
       {
         const Index v = m_pm.target(h);
-        if(!m_pm.is_ghost_vertex(v))
-        {
-          const double there = distance + norm(vector(m_pm.point(u), m_pm.point(v)));
-          const auto known = m_reached.find(v);
-          if(known == m_reached.end() || there < known->second.distance)
-          {
-            m_reached[v] = {there, u, false};
-            queue.emplace(there, v);
-          }
-        }
+        if(!m_pm.is_ghost_vertex(v) && is_allowed(v))
+          reach(v, distance + norm(vector(m_pm.point(u), m_pm.point(v))), u);
         h = m_pm.ccw(h);
       } while(h != begin);
     }
-  }
-
-  bool is_settled(Index v) const
-  {
-    const auto known = m_reached.find(v);
-    return known != m_reached.end() && known->second.is_settled;
   }
 
   // From the longest to the shortest.
@@ -133,15 +150,14 @@ private:
     std::sort(m_settled.begin(), m_settled.end());
     for(Index u : m_settled)
     {
+      const Reached& here = reached(u);
       const Index begin = m_pm.outgoing(u);
       Index h = begin;
       do
       {
         const Index v = m_pm.target(h);
-        if(m_pm.edge(h) == h && !m_pm.is_ghost_vertex(v) && is_settled(v) && m_reached.at(u).parent != v &&
-           m_reached.at(v).parent != u)
-          m_loops.push_back(
-              {h, m_reached.at(u).distance + norm(vector(m_pm.point(u), m_pm.point(v))) + m_reached.at(v).distance, 0});
+        if(m_pm.edge(h) == h && !m_pm.is_ghost_vertex(v) && is_settled(v) && here.parent != v && reached(v).parent != u)
+          m_loops.push_back({h, here.distance + norm(vector(m_pm.point(u), m_pm.point(v))) + reached(v).distance, 0});
         h = m_pm.ccw(h);
       } while(h != begin);
     }
@@ -152,7 +168,6 @@ private:
 
   void find_persistences()
   {
-    constexpr double infinity = (std::numeric_limits<double>::infinity)();
     m_regions.push_back({0, infinity}); // what is beyond
     for(Loop& l : m_loops)
     {
@@ -178,11 +193,13 @@ private:
     Index r = 0;
     if(is_hole || is_settled(third))
     {
-      auto& places = is_hole ? m_region_of_hole : m_region_of_face;
-      const auto place = places.emplace(is_hole ? third : f, static_cast<Index>(m_regions.size()));
-      r = place.first->second;
-      if(place.second)
-        m_regions.push_back({r, is_hole ? (std::numeric_limits<double>::infinity)() : 0});
+      Index& known = is_hole ? m_region_of_hole[third] : m_region_of_face[f]; // 0 at first, which is what is beyond
+      if(known == 0)
+      {
+        known = static_cast<Index>(m_regions.size());
+        m_regions.push_back({known, is_hole ? infinity : 0});
+      }
+      r = known;
     }
     while(m_regions[r].parent != r)
       r = m_regions[r].parent = m_regions[m_regions[r].parent].parent;
@@ -191,11 +208,14 @@ private:
 
   const Progressive_mesh& m_pm;
   const Index m_root;
-  std::unordered_map<Index, Reached> m_reached; // by vertex
-  std::vector<Index> m_settled;                 // vertices
+  const double m_greatest_length;
+  Zeroed_array<Index> m_number;   // by vertex: of those that were reached, from 1 on
+  std::vector<Reached> m_reached; // by number - 1
+  std::vector<Index> m_settled;   // vertices
   std::vector<Loop> m_loops;
   std::vector<Region> m_regions;
-  std::unordered_map<Index, Index> m_region_of_face, m_region_of_hole; // the latter by ghost vertex
+  Zeroed_array<Index> m_region_of_face;
+  std::unordered_map<Index, Index> m_region_of_hole; // by ghost vertex
 };
 
 // The loops through a vertex of T^0 on the whole surface, see `Loops_at_vertex`.
