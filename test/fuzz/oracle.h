@@ -3,8 +3,8 @@
 #define FUZZ_ORACLE_H
 
 // Decides with 230 digits whether a closed curve on a triangle mesh is a constriction. Shares no code with the package:
-// neither headers, nor the structure of the mesh, nor the formulas. Faces are unfolded by the lengths of their sides,
-// side angles are sums of angles, and what is nearer to zero than 10^-120 of its surroundings is zero. That is no proof
+// neither headers, nor the structure of the mesh, nor the formulas. Faces are unfolded by divisions and square roots, side
+// angles are sums of angles, and what is nearer to zero than 10^-120 of its surroundings is zero. That is no proof
 // of a tie, but no two numbers made of a few hundred doubles that somebody has met are so close.
 
 #include <boost/math/constants/constants.hpp>
@@ -203,25 +203,40 @@ private:
     return -1;
   }
 
-  Real square_length(int a, int b) const
+  // The way from one vertex to another one. No rounding, if the coordinates are of moderate size.
+  std::array<Real, 3> way(int a, int b) const
   {
-    Real sum = 0;
+    std::array<Real, 3> result;
     for(std::size_t k = 0; k < 3; ++k)
-    {
-      const Real d =
-          Real(m_body.points[static_cast<std::size_t>(a)][k]) - m_body.points[static_cast<std::size_t>(b)][k];
-      sum += d * d;
-    }
-    return sum;
+      result[k] = Real(m_body.points[static_cast<std::size_t>(b)][k]) - m_body.points[static_cast<std::size_t>(a)][k];
+    return result;
   }
 
-  // In the plane, the third corner of a triangle on the left of the way from p to q, by the lengths of its sides.
+  static Real dot(const std::array<Real, 3>& a, const std::array<Real, 3>& b)
+  {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
+  // Twice the area of the triangle between them; zero if they are parallel, without a rounding error.
+  static Real area(const std::array<Real, 3>& a, const std::array<Real, 3>& b)
+  {
+    const std::array<Real, 3> normal = {
+        {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+    return sqrt(dot(normal, normal));
+  }
+
+  Real length_of_edge(int a, int b) const
+  {
+    const std::array<Real, 3> edge = way(a, b);
+    return sqrt(dot(edge, edge));
+  }
+
+  // In the plane, the third corner of a triangle on the left of the way from p to q.
   Point corner(int a, int b, int c, const Point& p, const Point& q) const
   {
-    const Real ab = square_length(a, b), ac = square_length(a, c), bc = square_length(b, c);
-    const Real along = (ab + ac - bc) / (2 * ab); // in multiples of ab
-    const Real square_height = ac / ab - along * along;
-    const Real height = square_height > 0 ? Real(sqrt(square_height)) : Real(0);
+    const std::array<Real, 3> ab = way(a, b), ac = way(a, c);
+    const Real square = dot(ab, ab);
+    const Real along = dot(ab, ac) / square, height = area(ab, ac) / square; // in multiples of ab
     const Point d = minus(q, p);
     return {p.x + along * d.x - height * d.y, p.y + along * d.y + height * d.x};
   }
@@ -247,10 +262,8 @@ private:
       const int next = third(v, w);
       if(next < 0)
         break;
-      const Real a = square_length(v, w), b = square_length(v, next), c = square_length(w, next);
-      const Real cosine = (a + b - c) / (2 * sqrt(Real(a * b)));
-      const Real square_sine = 1 - cosine * cosine;
-      result->corners.push_back(atan2(square_sine > 0 ? Real(sqrt(square_sine)) : Real(0), cosine));
+      const std::array<Real, 3> a = way(v, w), b = way(v, next);
+      result->corners.push_back(atan2(area(a, b), dot(a, b)));
       w = next;
     } while(w != first);
     result->is_closed = w == first;
@@ -322,11 +335,11 @@ private:
         arc.out = along_edge(arc.from, arc.to);
         arc.back = along_edge(arc.to, arc.from);
         if(answer != nullptr)
-          answer->length += sqrt(square_length(arc.from, arc.to));
+          answer->length += length_of_edge(arc.from, arc.to);
         continue;
       }
       std::vector<Point> lefts, rights;
-      Point right = {sqrt(square_length(arc.from, arc.crossed.front().first)), 0},
+      Point right = {length_of_edge(arc.from, arc.crossed.front().first), 0},
             left = corner(arc.from, arc.crossed.front().first, arc.crossed.front().second, Point(), right), end;
       for(std::size_t c = 0; c < arc.crossed.size(); ++c)
       {
@@ -342,6 +355,11 @@ private:
         else
           right = p;
       }
+      Real size = 0;
+      for(std::size_t c = 0; c < lefts.size(); ++c)
+        size = (std::max)({size, norm(lefts[c]), norm(rights[c])});
+      if(norm(end) < epsilon() * size)
+        end = Point(); // the strip leads back to where it starts, as around a flat vertex: no edge is between its ends
       const Real length = norm(end);
       for(std::size_t c = 0; c < lefts.size(); ++c)
       {
@@ -476,7 +494,7 @@ private:
     {
       const std::size_t n = strip.size();
       std::vector<Point> lefts, rights;
-      Point right, left = {0, sqrt(square_length(strip[0].first, strip[0].second))};
+      Point right, left = {0, length_of_edge(strip[0].first, strip[0].second)};
       for(std::size_t i = 0; i < n; ++i)
       {
         lefts.push_back(left);
