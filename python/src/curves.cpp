@@ -338,6 +338,39 @@ const std::vector<Attribute<Surface_loop>>& attributes_of_loop()
   return result;
 }
 
+const std::vector<Attribute<Surface_section>>& attributes_of_section()
+{
+  typedef Surface_section S;
+  static const std::vector<Attribute<S>> result = {
+      {"kind", "\"closed\", \"open\" if it ends at the boundary, or \"point\" if the plane only touches the surface.",
+       [](const S& s) -> py::object { return py::str(name_of(s.section.kind)); }},
+      {"length", "The length, in the unit of the coordinates; 0 if there is no curve.",
+       [](const S& s) -> py::object { return py::float_(s.section.length); }},
+      {"curves", "How many curves of the section meet at the place; the shortest closed one is taken.",
+       [](const S& s) -> py::object { return py::int_(s.section.number_of_curves); }},
+      {"points",
+       "(k, 3) float64: the points where the curve meets edges and vertices. Of a closed curve the first is the\n"
+       "place, which is not repeated at the end; an open one runs from end to end.",
+       [](const S& s) -> py::object {
+         std::vector<Mesh::Point> points;
+         s.section.points(s.surface->mesh, std::back_inserter(points));
+         std::vector<double> coordinates;
+         for(const Mesh::Point& p : points)
+           coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+         return array_of(std::move(coordinates), 3);
+       }},
+      {"loop",
+       "The `GeodesicLoop` that a closed curve becomes when it is tightened with the place held; None if there is\n"
+       "none.",
+       [](const S& s) -> py::object {
+         if(!s.section.loop)
+           return py::none();
+         return py::cast(std::make_shared<Surface_loop>(Surface_loop{s.surface, *s.section.loop, {}}));
+       }},
+  };
+  return result;
+}
+
 std::string with_precision(double x, int digits)
 {
   std::ostringstream out;
@@ -557,40 +590,14 @@ void define_curves(py::module_& module)
            ", " + std::to_string(l.loop.locations.size()) + " points>";
   });
 
-  py::class_<Surface_section>(module, "PlaneSection", "The curve that a plane through a place cuts out of a surface.")
-      .def_property_readonly(
-          "kind", [](const Surface_section& s) { return name_of(s.section.kind); },
-          "\"closed\", \"open\" if it ends at the boundary, or \"point\" if the plane only touches the surface.")
-      .def_property_readonly(
-          "length", [](const Surface_section& s) { return s.section.length; },
-          "The length, in the unit of the coordinates; 0 if there is no curve.")
-      .def_property_readonly(
-          "curves", [](const Surface_section& s) { return s.section.number_of_curves; },
-          "How many curves of the section meet at the place; the shortest closed one is taken.")
-      .def_property_readonly(
-          "points",
-          [](const Surface_section& s) {
-            std::vector<Mesh::Point> points;
-            s.section.points(s.surface->mesh, std::back_inserter(points));
-            std::vector<double> coordinates;
-            for(const Mesh::Point& p : points)
-              coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
-            return array_of(std::move(coordinates), 3);
-          },
-          "(k, 3) float64: the points where the curve meets edges and vertices. Of a closed curve the first is the\n"
-          "place, which is not repeated at the end; an open one runs from end to end.")
-      .def_property_readonly(
-          "loop",
-          [](const Surface_section& s) {
-            return s.section.loop ? std::make_shared<Surface_loop>(Surface_loop{s.surface, *s.section.loop, {}})
-                                  : nullptr;
-          },
-          "The `GeodesicLoop` that a closed curve becomes when it is tightened with the place held; None if there is\n"
-          "none.")
-      .def("__repr__", [](const Surface_section& s) {
-        return std::string("<constrictions.PlaneSection: ") + name_of(s.section.kind) + ", length " +
-               with_precision(s.section.length, 6) + ">";
-      });
+  py::class_<Surface_section> section(module, "PlaneSection",
+                                      "The curve that a plane through a place cuts out of a surface.");
+  define_attributes(section, attributes_of_section(),
+                    "Everything that is known of the section, by the names of the attributes.");
+  section.def("__repr__", [](const Surface_section& s) {
+    return std::string("<constrictions.PlaneSection: ") + name_of(s.section.kind) + ", length " +
+           with_precision(s.section.length, 6) + ">";
+  });
 
   py::class_<Tightened_loop>(module, "TightenedCurve", "What a loop of edges was shortened to.")
       .def_property_readonly(

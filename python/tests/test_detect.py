@@ -168,6 +168,7 @@ def test_sections_are_measured_along_an_axis():
     assert section.length == pytest.approx(np.linalg.norm(ring - np.roll(ring, 1, axis=0), axis=1).sum())
     assert section.points[0] == pytest.approx(place) and section.points[:, 2] == pytest.approx(4)
     assert section.loop.length == pytest.approx(section.length)
+    assert section.as_dict()["length"] == section.length
     assert repr(section).startswith("<constrictions.PlaneSection: closed, length ")
     corner = constrictions.Surface(*TETRAHEDRON)
     touching = corner.section(corner.vertices[3], corner.vertices[3] - corner.vertices[:3].mean(axis=0))

@@ -110,7 +110,7 @@ def test_sections_are_those_of_the_program():
     (expected,) = answer["sections"]
     assert (section.kind, section.length, section.curves) == (expected["kind"], expected["length"], expected["curves"])
     assert section.points.tolist() == expected["points"]
-    assert [section.loop is None] == [expected["constriction"] is None]
+    assert (section.loop is None) == (expected["constriction"] is None)
     if section.loop:
         check_same(section.loop, answer["constrictions"][expected["constriction"]])
 
