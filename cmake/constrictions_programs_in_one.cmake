@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# A program of several that share most of what takes long to compile. The first argument is the name of one of their
-# sources without its ending, the rest are that one's arguments.
+# Makes one program of several that share most of what takes long to compile. Its first argument is the name of one of
+# their sources, without the ending; the other arguments are those of the program that this source makes.
 #
-# Each source becomes a namespace, and its main() a function there. The headers of all come before, so that their guards
-# leave nothing of them in the namespaces.
+# Each source becomes a namespace, and its main() a function there. The headers of all sources are included before, so
+# that their guards leave nothing of them in the namespaces.
 function(constrictions_programs_in_one target)
   set(headers)
   set(folders)
@@ -49,8 +49,9 @@ int main(int argc, char** argv)
   target_link_libraries(${target} PRIVATE CGAL::Surface_mesh_constrictions constrictions_warnings)
 endfunction()
 
-# Adds the program of NAME.cpp, which runs on whole meshes and may include headers of the tests. Sets NAME_command to what
-# calls it. With WITH_QUICK_COMPILATION all that are added are one, which constrictions_finish_mesh_programs() makes.
+# Adds the program of NAME.cpp, which runs on whole meshes and may include headers of the tests. Sets NAME_command to
+# the command that calls it. With WITH_QUICK_COMPILATION all programs that are added become one, which
+# constrictions_finish_mesh_programs() makes.
 function(constrictions_mesh_program name)
   if(WITH_QUICK_COMPILATION)
     set_property(GLOBAL APPEND PROPERTY CONSTRICTIONS_MESH_PROGRAMS "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
-# For scripts that try something in a Debian in which only what debootstrap calls minbase is installed; they source this
-# file. Needs root. dpkg does not wait for the disk. DEBIAN_MIRROR is where the packages come from;
-# http://deb.debian.org/debian if it is not set.
+# This file is sourced by scripts that try something in a Debian in which only what debootstrap calls minbase is
+# installed. Needs root. dpkg does not wait until its files are on the disk. DEBIAN_MIRROR is where the packages come
+# from; http://deb.debian.org/debian if it is not set.
 #
 #   use_debian 12|13    sets `project`, `folder`, where roots and logs are, and `suite`; makes the root that is copied
 #   new_root NAME       sets `root`: a copy of it, in which there is nothing but Debian

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A task of a Slurm job array: constrictions batch for every N-th mesh, where N is the number of tasks of the array.
-# The program constrictions must be in the PATH, or its place in the variable CONSTRICTIONS.
+# Runs a task of a Slurm job array: constrictions batch for every N-th mesh, where N is the number of tasks of the
+# array. The program constrictions must be in the PATH, or the variable CONSTRICTIONS must say where it is.
 #
 #   sbatch --array=1-N scripts/batch_array.sh INPUT ... -o DIR [OPTIONS]      the arguments of constrictions batch
 #
-# The lines are in DIR/results.I-of-N.jsonl. A task that was cut off goes on where it was when it is submitted again.
+# The lines are in DIR/results.I-of-N.jsonl. When a task that was cut off is submitted again, it goes on where it was.
 #SBATCH --job-name=constrictions
 set -euo pipefail
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Whether proofs hold on machines and with compilers that compute differently. Prints a row for each configuration: how
-# many of the tests of certificates pass, and how many of the ten meshes have the curves of the table, which is not
-# expected where products are contracted with sums (FMA). Fails where a test fails, and where something is certified
-# that must not be.
+# Checks whether proofs hold on machines and with compilers that compute differently. Prints a row for each
+# configuration: how many of the tests of certificates pass, and how many of the ten meshes have the curves of the
+# table. Where products are contracted with sums (FMA) these curves are not expected. Fails if a test fails, or if
+# something is certified that must not be.
 #
 #   scripts/check_arithmetic.sh [STEP...]      all steps, if none is given
 #

@@ -11,8 +11,8 @@
 #             nosudo    a user without sudo: the command must say what root is to install, and run when that is done
 #   COMMAND   demo, test
 #
-# Without them each user runs both. It takes hours; 3 GB for each run in build/bare_debian, where the logs are too.
-# See scripts/bare_debian.sh for where the packages come from.
+# Without these arguments each user runs both commands. It takes hours, and 3 GB for each run in build/bare_debian,
+# where the logs are, too. See scripts/bare_debian.sh for where the packages come from.
 set -euo pipefail
 
 usage() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Checks that the C++ files which differ from a commit are as .clang-format has it. The version of clang-format is
-# pinned, since each formats a little differently; Debian 12 has it as the package clang-format-14.
+# Checks that the C++ files which differ from a commit are formatted as .clang-format says. The version of clang-format
+# is pinned, since each formats a little differently; Debian 12 has it as the package clang-format-14.
 #
 #   scripts/check_format.sh [COMMIT]       files that differ from COMMIT; from the last commit if it is not given
 #   scripts/check_format.sh --all          all files

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds the Debian packages in a Debian of this release, asks lintian about them, installs them in another one in which
-# only what debootstrap calls minbase is installed, and uses them there: the program, its man page and completions, the
-# Python module on a mesh of CGAL, and the headers by CMake and by pkg-config. Prints how long it takes from nothing to
-# the first curves. Needs root.
+# Builds the Debian packages in a Debian of this release, checks them with lintian, installs them in another Debian, in
+# which only what debootstrap calls minbase is installed, and uses them there: the program, its man page and
+# completions, the Python module on a mesh of CGAL, and the headers by CMake and by pkg-config. Prints how long it takes
+# from nothing to the first curves. Needs root.
 #
 #   scripts/check_packages.sh 12|13 [FOLDER]
 #

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Runs the tests of concurrency with ThreadSanitizer, of GCC and of Clang, or of the compilers that are given. oneTBB is
-# stood in for by test/thread_sanitizer, as ThreadSanitizer cannot look into it. Fails if there is a race.
+# Runs the tests of concurrency with the ThreadSanitizer of GCC and of Clang, or of the compilers that are given.
+# test/thread_sanitizer takes the place of oneTBB, as ThreadSanitizer cannot look into oneTBB. Fails if there is a race.
 #
 #   scripts/check_threads.sh [COMPILER...]
 set -euo pipefail

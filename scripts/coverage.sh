@@ -4,7 +4,7 @@
 #
 #   scripts/coverage.sh [PERCENT]      fails below this share; 95 if it is not given
 #
-# Neither the program nor the examples are built: what only they execute is not tested.
+# Neither the program nor the examples are built: what only they execute counts as not executed.
 set -euo pipefail
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

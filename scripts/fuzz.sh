@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fuzzes with libFuzzer, from the inputs of test/fuzz/corpus on, which it replaces by the least ones that reach what all
-# that were found reach. An input that fails is kept, and printed as a line for the corpus; the exit code is then 1.
-# What was found but is not among the least is in build/fuzz/corpus, and is used the next time.
+# Fuzzes with libFuzzer, starting from the inputs in test/fuzz/corpus. Then replaces these by the smallest inputs that
+# together reach all that the inputs found so far reach. An input that fails is kept, and printed as a line for the
+# corpus; the exit code is then 1. The other inputs that were found are in build/fuzz/corpus, and are used the next
+# time.
 #
 #   scripts/fuzz.sh MINUTES [TARGET...]      minutes for all targets together; all of them, if none is given
 #

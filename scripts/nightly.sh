@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What takes hours and rarely tells anything, so that it is not part of .ci/run. A step that fails does not stop those
+# Runs what takes hours and rarely finds anything, and so is not part of .ci/run. A step that fails does not stop those
 # after it. Prints the result of each step; the exit code is 1 if one has failed. What a step prints is in
 # build/nightly/STEP.log.
 #

@@ -5,15 +5,16 @@
 #
 #   scripts/test.sh [PRESET[:curves|:short]...]    presets of CMakePresets.json; release if none is given
 #
-# Everything is built and tested but that each header compiles on its own, which is scripts/nightly.sh's; the benchmarks
-# are built in the last configuration only. With `:short` the sources of test programs that run for long are only
-# checked, and there are no examples. With `:curves` only two things are tested: that the combinatorial curves of real
-# meshes are those of every other configuration, and that a project can use the installed package.
+# Builds and tests everything, except that each header compiles on its own, which scripts/nightly.sh tests. The
+# benchmarks are built in the last configuration only. With `:short` the sources of test programs that run for long are
+# only checked, and there are no examples. With `:curves` only two things are tested: that the combinatorial curves of
+# real meshes are those of every other configuration, and that a project can use the installed package.
 #
-# If CGAL_DIR is set, that CGAL is used instead of the installed one, or of Debian's CGAL 6 by a preset named for it.
+# If CGAL_DIR is set, that CGAL is used. Else a preset named for CGAL 6 uses Debian's CGAL 6, and the others use the
+# installed one.
 #
-# A compiler takes up to 3.9 GB of memory: no more run at a time than fit. What needs a browser or Slurm is skipped
-# where they are not there; scripts/setup.sh --browser --engines installs them.
+# A compiler takes up to 3.9 GB of memory: no more compilers run at a time than fit into the memory. What needs a
+# browser or Slurm is skipped where they are not there; scripts/setup.sh --browser --engines installs them.
 set -euo pipefail
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -24,8 +24,9 @@ enum class Section_kind
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// The curve through a location of a triangle mesh that a plane through it cuts out of the surface. Where the axis of a
-/// limb is perpendicular to the plane, its length is the girth of the limb as a tailor or an anatomist takes it.
+/// The section of a triangle mesh with a plane through a location: its curve that passes through the location. Where
+/// the plane is perpendicular to the axis of a limb, the length of the curve is the girth of the limb as a tailor or an
+/// anatomist takes it.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 ///
@@ -37,18 +38,19 @@ struct Plane_section
 
   Section_kind kind = Section_kind::POINT; ///< what the section is at the location
 
-  /// the sequence of points where the curve meets edges and vertices, with straight segments between them, each in one
-  /// face. If it is closed the first point is the location, which is not repeated; if it is open it runs from one end to
+  /// the sequence of points where the curve meets edges and vertices. Between them are straight segments, each in one
+  /// face. The first point of a closed curve is the location, which is not repeated; an open curve runs from one end to
   /// the other. Empty if there is no curve.
   std::vector<Face_location> locations;
 
   double length = 0; ///< in the unit of the mesh's coordinates; 0 if there is no curve
 
-  /// how many curves of the section, closed ones and open ones, meet at the location: 1, or more where limbs meet
+  /// how many curves of the section, closed ones and open ones, meet at the location: 1, or more where limbs meet; 0 if
+  /// there is no curve
   std::size_t number_of_curves = 0;
 
-  /// the curve, if it is closed, tightened with the location held; nothing if it shrinks to the location. Its member
-  /// `let_go` is the constriction that it becomes when it is let go.
+  /// the geodesic loop that a closed curve becomes when it is tightened with the location held; nothing if it shrinks
+  /// to the location. Its member `let_go` is the constriction that the loop becomes when it is let go.
   std::optional<Geodesic_loop<TriangleMesh>> loop;
 
   /// writes the points of the curve, in the order of `locations`, to `out`.

@@ -29,15 +29,17 @@ Plane_section<TriangleMesh> plane_section_at_location_checked(const TriangleMesh
 } // namespace internal
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
-/// cuts a surface with the plane through a location that is perpendicular to an axis, and tightens the curve through the
-/// location: the girth of a limb along a given direction of its axis, and the geodesic loop nearest to it.
+/// cuts a surface with the plane that passes through a location and is perpendicular to an axis, and tightens the curve
+/// through the location. The length of the curve is the girth of a limb whose axis has the given direction; tightening
+/// leads to the geodesic loop nearest to the curve.
 ///
-/// The curve is the one that passes through the location; other curves of the same section, of other limbs say, are left
-/// out. Where several of them meet at the location, at the crotch between two legs say, the shortest closed one is
-/// taken. Vertices in the plane count as being above it, so that the section is a curve everywhere; an axis and the
-/// opposite one give the same curve. If the curve is closed it is tightened with the location held, like the loops of
-/// `geodesic_loops_at_location()`, and from there let go. The plane may be far from perpendicular to the limb, and then
-/// the section is longer than the loop: on a cylinder it is an ellipse, and the loop a circle.
+/// The curve is the one that passes through the location; other curves of the same section, for example of other limbs,
+/// are left out. Where several curves of the section meet at the location, for example at the crotch between two legs,
+/// the shortest closed one is taken. Vertices in the plane count as being above it, so that the section is a curve
+/// everywhere. An axis and the opposite one give the same curve. A closed curve is tightened with the location held,
+/// like the loops of `geodesic_loops_at_location()`, and the loop that results is let go. The plane may be far from
+/// perpendicular to the limb, and then the section is longer than the loop: on a cylinder it is an ellipse, and the
+/// loop a circle.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam Location a vertex descriptor of `TriangleMesh`, or `Constriction<TriangleMesh>::Face_location`, or a 3D
@@ -69,11 +71,12 @@ Plane_section<TriangleMesh> plane_section_at_location_checked(const TriangleMesh
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the curve: closed, or open where the surface has a boundary, or none where the plane only touches the surface
+/// \return the curve: closed, or open where the surface has a boundary, or none where the plane only touches the
+///         surface
 /// \throws Invalid_input for a mesh that cannot be used; for a location that is not on the mesh, as
 ///         `geodesic_loops_at_location()`; for an axis with a coordinate that is not a finite number, and for one of
 ///         length 0; and, with `certify`, for a coordinate that is not a rational number of moderate size
-/// \cost linear in the size of the mesh, plus the cost of `tighten_closed_curve()`. Of a prepared mesh,
+/// \cost linear in the size of the mesh, plus the cost of `tighten_closed_curve()`. Of a prepared mesh, see
 ///       `Constriction_query::plane_section()`, the section is linear in the number of faces that it crosses.
 ///
 /// \sa `geodesic_loops_at_location()`

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program asks of the system beyond the standard library of C++: a terminal, memory, signals, locked files,
-// child processes. No other file of it includes a header of POSIX.
+// What the program asks of the operating system beyond the standard library of C++: a terminal, memory, signals, locked
+// files, child processes. No other file of the program includes a header of POSIX.
 #ifndef CONSTRICTIONS_POSIX_H
 #define CONSTRICTIONS_POSIX_H
 
@@ -23,13 +23,14 @@ std::uint64_t peak_rss_bytes();
 /// from now on writing beyond the limit of file sizes fails, and does not end this process.
 void fail_beyond_limit_of_file_sizes();
 
-/// such as `Segmentation fault`.
+/// the name of a signal, such as `Segmentation fault`.
 std::string signal_name(int signal);
 
-/// whether it is the signal that no process can catch, such as the one that the system sends when memory is used up.
+/// whether `signal` is the one that no process can catch, which the system sends, for example, when memory is used up.
 bool is_kill(int signal);
 
-/// While one lives SIGINT, SIGTERM and SIGHUP wait; then they do what they did before. No two live at a time.
+/// While an object of this class lives, SIGINT, SIGTERM and SIGHUP wait; after that they do what they did before. No
+/// two objects live at a time.
 class Held_signals
 {
 public:
@@ -39,16 +40,17 @@ public:
   Held_signals& operator=(const Held_signals&) = delete;
 };
 
-/// from now on SIGINT, SIGTERM and SIGHUP are noted only. One that is ignored, as under nohup, remains so.
+/// from now on SIGINT, SIGTERM and SIGHUP are only noted. A signal that is ignored, as under nohup, remains ignored.
 void note_signals();
 
 /// the last signal that was noted, or 0.
 int noted_signal();
 
-/// ends this process as that signal would have.
+/// ends this process as the noted signal would have.
 void end_by_noted_signal();
 
-/// A file to which no other process that opens it so writes. The functions return 0, or an error as in `errno`.
+/// A file that only one process at a time writes to, of those that open it with this class. The functions return 0, or
+/// an error as in `errno`.
 class Locked_file
 {
 public:
@@ -61,7 +63,8 @@ public:
   /// opens a file to append to, which is created if missing.
   int open(const std::string& name);
 
-  /// locks it; tries for a second, as a process that was just killed may take a moment to end. See `is_locked_error()`.
+  /// locks the file. Tries for a second, as a process that was just killed may take a moment to end. See
+  /// `is_locked_error()`.
   int lock() const;
 
   int append(std::string_view text) const;
@@ -83,28 +86,29 @@ struct Child_process
 
 struct Child_process_end
 {
-  int signal; ///< that has ended it, or 0
+  int signal; ///< the one that has ended the process, or 0
   std::uint64_t peak_rss_bytes;
 };
 
-/// runs `function` in a copy of this process, then sends the text that it returns, and ends. It must not throw. The
-/// child has no standard input, dumps no core, may have at most so many `bytes` of address space, and closes the pipes
-/// of `others`. It takes no notice of SIGINT, SIGTERM, SIGHUP and SIGQUIT: a terminal sends these to all processes, and
-/// it is this process that ends its children. On Linux it ends with this process, however that ends, and is the first
-/// to be killed when the memory is used up. Throws `std::system_error` if no process can be started.
+/// starts a child, a copy of this process, which runs `function`, sends the text that `function` returns, and ends.
+/// `function` must not throw. The child has no standard input, dumps no core, may have at most `bytes` of address
+/// space, and closes the pipes of `others`. It takes no notice of SIGINT, SIGTERM, SIGHUP and SIGQUIT: a terminal sends
+/// these signals to all processes, but it is for this process to end its children. On Linux the child ends when this
+/// process ends, for whatever reason, and is the first to be killed when the memory is used up. Throws
+/// `std::system_error` if no process can be started.
 Child_process start_child_process(const std::function<std::string()>& function,
                                   const std::optional<std::uint64_t>& bytes, const std::vector<Child_process>& others);
 
 void kill_child_process(const Child_process& child);
 
-/// waits until it has ended, and closes the pipe.
+/// waits until the child has ended, and closes the pipe.
 Child_process_end wait_for_end(const Child_process& child);
 
-/// waits until there is something to read from one of the children, or that has ended, a signal is caught, or the time
-/// is over. Returns for each whether it is so.
+/// waits until there is something to read from one of the children, a child has ended, a signal is caught, or the time
+/// is over. Returns for each child whether there is something to read or it has ended.
 std::vector<bool> wait_for_output(const std::vector<Child_process>& children, std::chrono::milliseconds longest);
 
-/// calls `f` with what can be read at the moment, piece by piece. Returns whether there will be no more.
+/// calls `f` with what can be read at the moment, piece by piece. Returns whether no more will come.
 bool read_output(const Child_process& child, const std::function<void(std::string_view)>& f);
 
 } // namespace constrictions

@@ -50,8 +50,8 @@ public:
       m_tightener(m_imported, m_pm, prepared.vertex_point_map(), prepared.length_unit(), m_sides, certifies)
   {}
 
-  // Of a geodesic loop of the surface with the location, at which it starts. Cost: that of
-  // `Constriction_maker::make()`, plus that of tightening the loop when it is let go.
+  // The result for a geodesic loop of the surface with the location put in. The loop starts at the location. Cost: that
+  // of `Constriction_maker::make()`, plus that of tightening the loop when it is let go.
   Result make(const std::vector<Arc>& loop)
   {
     Result result;
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  // Its points, the vertices among them, and the angles at these.
+  // Sets the points of the loop, the vertices among them, and the angles at these vertices.
   void place(const std::vector<Arc>& loop, Result& result)
   {
     std::size_t arc = 0;
@@ -112,8 +112,9 @@ private:
     result.boundary_share = boundary_share(m_with, loop, parting);
   }
 
-  // How a loop parts the surface. The path beside it may pass the vertex that has been put in; then it is led past a
-  // corner of the face, or an end of the edge, instead, and the area between is that of flat triangles.
+  // How a loop parts the surface. The path beside the loop may pass the vertex that has been put in. Then the path is
+  // led past a corner of the face, or past an end of the edge, instead; the area between the two paths is that of flat
+  // triangles.
   Parting part(const std::vector<Trace_point>& points) const
   {
     std::vector<Index> path = vertices_passed(m_with, points);
@@ -133,7 +134,8 @@ private:
     return m_sides.part(path, between);
   }
 
-  // Whether the location that has been put in is on an edge; and the halfedge out of the corner opposite to that.
+  // Whether the location that has been put in is on an edge; and, if it is, the halfedge out of the corner opposite to
+  // this edge.
   bool is_on_edge() const
   {
     return std::find(m_at.barycentric.begin(), m_at.barycentric.end(), 0.0) != m_at.barycentric.end();
@@ -144,8 +146,8 @@ private:
                                               m_at.barycentric.begin());
   }
 
-  // Of the triangle a, u, v, one of whose corners has been put in, in the face that it is part of; negative if it is
-  // clockwise. `old` is the one of u and v that has not been put in.
+  // The area of the triangle a, u, v, one of whose corners has been put in, as a part of its face; negative if the
+  // triangle is clockwise. `old` is the one of u and v that has not been put in.
   double area(Index a, Index u, Index v, Index old) const
   {
     Index f = m_at.face;
@@ -165,8 +167,9 @@ private:
     return length > 0 ? dot(cross(position(m_with, u) - q, position(m_with, v) - q), normal) / length / 2 : 0;
   }
 
-  // The halfedge of the surface without the location that one with it is a piece of; null_index if it lies in a face.
-  // Ghosts have other numbers there. One is known by the edge of the hole, which is the first of its face.
+  // The halfedge of the surface without the location that h, of the surface with the location, is a piece of;
+  // null_index if h lies in a face. Ghost faces have other numbers on that surface: each is found by its edge of the
+  // hole, which is its first halfedge.
   Index old_halfedge(Index h) const
   {
     if(!m_with.is_ghost_face(m_with.face(h)))
@@ -178,8 +181,8 @@ private:
     return m_pm.opposite(beside.old) + place;
   }
 
-  // The halfedges of the surface without the location that a loop crosses when it is moved a little to its left at its
-  // vertices and at the location.
+  // The halfedges of the surface without the location that a loop crosses when, at its vertices and at the location, it
+  // is moved a little to its left.
   std::vector<Index> crossings_of_surface(const std::vector<Trace_point>& points) const
   {
     std::vector<Index> crossings;

@@ -21,9 +21,10 @@ struct Section_branch
   bool is_closed;
 };
 
-// The curves of a section with the plane through a vertex that begin there. Vertices in the plane count as one side of
-// it, so that a curve crosses edges only, and is a level set that neither branches nor ends but at the vertex and at the
-// boundary. Each closed curve comes once. Linear in the degree of the vertex and the number of faces that are crossed.
+// The curves that begin at a vertex, of the section with the plane through it. Vertices in the plane count as above it
+// if `plane_is_above`, else as below it. So a curve crosses edges only, and is a level set that branches or ends only
+// at the vertex and at the boundary. Each closed curve comes once. Linear in the degree of the vertex and the number of
+// faces that are crossed.
 inline std::vector<Section_branch> section_branches(const Progressive_mesh& pm, Index vertex, const Vector3& normal,
                                                     bool plane_is_above)
 {
@@ -38,7 +39,7 @@ inline std::vector<Section_branch> section_branches(const Progressive_mesh& pm, 
     return Trace_point{null_index, h, (std::min)((std::max)(a / (a - b), 0.), 1.)};
   };
   std::vector<Section_branch> result;
-  std::vector<Index> arrivals; // the halfedges, of faces of the vertex, by which closed curves come back
+  std::vector<Index> arrivals; // halfedges, in faces of the vertex, over which closed curves come back
   const Index begin = pm.outgoing(vertex);
   Index spoke = begin;
   do

@@ -38,34 +38,38 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The greatest number of loops of edges that are tightened. Most of them soon meet the way of another one.
+// At most so many loops of edges are tightened. The tightening of most of them ends soon, at a curve that the
+// tightening of another one has passed.
 constexpr std::size_t max_held_seeds = 4096;
 
-// A loop with a smaller angle at the location runs to something, around it, and back by nearly the same way.
+// A loop with a smaller angle at the location runs to another part of the surface, around it, and back by nearly the
+// same way.
 constexpr double least_loop_angle = CGAL_PI / 4;
 
-// The same on a large surface: on a level, and on finer ones and on the surface itself around the location alone, among
-// so many vertices.
+// On a large surface at most `max_level_seeds` loops of edges are tightened on a level; and `max_local_seeds` on each
+// finer level and on the surface itself, among the `max_local_vertices` vertices around the location.
 constexpr std::size_t max_level_seeds = 256, max_local_seeds = 128, max_local_vertices = 1024;
 
-// On the first of the finer levels so many vertices are looked at, and on the surface itself beside a loop.
+// On the first of the finer levels `max_level_vertices` vertices are looked at. On the surface itself, beside a loop,
+// `max_vertices_beside` vertices are looked at, and `max_seeds_beside` loops of edges are tightened.
 constexpr std::size_t max_level_vertices = 8192, max_vertices_beside = 6144, max_seeds_beside = 8;
 
-// To put the location into a level with more vertices would take longer than the search; its vertices are near enough.
+// The location is not put into a level with more vertices than this: that would take longer than the search, and the
+// vertices of such a level are near enough.
 constexpr std::size_t max_vertices_with_location = 65536;
 
-// The vertices of a loop are no further away from where it is held than half its length. Paths along edges are a bit
-// longer, up to 2 / sqrt(3) times among equilateral triangles.
+// The distance from the vertices of a loop to the place where it is held is at most half the length of the loop. Paths
+// along edges are a bit longer: among equilateral triangles up to 2 / sqrt(3) times as long.
 constexpr double greatest_detour = 1.2;
 
-// Loops of edges are looked for on a surface with no fewer vertices than this.
+// A surface with fewer vertices is refined to this number before loops of edges are looked for.
 constexpr std::size_t least_held_vertices = 4096;
 
-// Translates a closed curve to a coarser surface, into whose faces and edges some of its vertices have been put: the
-// result has arcs of that surface. The curve is led past each vertex that the coarser surface does not have, on the
-// side of the smaller angle, and pulled straight between the others. Up to rounding it gets no longer. No arcs if it is
-// a point. old_of(h) is the halfedge that h is a piece of, or null_index if h lies in a face. Linear in the strips of
-// the curve.
+// Translates a closed curve from a surface `fine` to the surface `coarse`, which `fine` was made from by putting
+// vertices into its faces and edges. Returns arcs of `coarse`; none if the result is a point. The curve is led past
+// each vertex that `coarse` does not have, on the side of the smaller angle, and pulled straight between the other
+// vertices. Up to rounding it gets no longer. old_of(h) is the halfedge of `coarse` that h is a piece of, or null_index
+// if h lies in a face of `coarse`. Linear in the strips of the curve.
 template <class OldOf, class IsKept>
 std::vector<Arc> arcs_without_vertices(const Progressive_mesh& fine, std::vector<Arc> loop, const OldOf& old_of,
                                        const IsKept& is_kept, const Progressive_mesh& coarse)
@@ -104,7 +108,7 @@ std::vector<Arc> arcs_without_vertices(const Progressive_mesh& fine, std::vector
   if(closed.is_degenerate())
     return arcs;
   arcs = closed.shortest_loop(closed.foremost_corner(closed.inner_side()), puller);
-  // rounding, or a strip so wide that it unfolds over its own centre
+  // the loop is longer because of rounding, or because the strip is so wide that it unfolds over its own centre
   if(total_length(arcs) > total_length(loop) * (1 + flat_tolerance))
     for(const Closed_strip::Corner& corner : closed.corners())
     {
@@ -119,7 +123,7 @@ std::vector<Arc> arcs_without_vertices(const Progressive_mesh& fine, std::vector
 class Held_curves
 {
 public:
-  // `unit` of the surface
+  // `unit` is that of the surface.
   Held_curves(const Progressive_mesh& pm, Index vertex, const Length_unit& unit)
     : m_network(pm, false), m_angles(pm), m_tightener(m_network, unit, &m_angles), m_basins(m_network, m_tightener),
       m_vertex(vertex)
@@ -127,7 +131,7 @@ public:
     m_tightener.hold(vertex);
   }
 
-  // Cost: that of tightening it until it meets the way of another one.
+  // Tightens a curve. Cost: that of tightening it until it is equal to a curve that an earlier one has passed through.
   void insert(const std::vector<Index>& path) { insert(m_network.add_curve(0, path)); }
   void insert(std::vector<Arc> arcs)
   {
@@ -161,7 +165,7 @@ private:
   std::vector<std::vector<Arc>> m_ends;
 };
 
-// Whether a loop has this angle at least where it is held, and is simple.
+// Whether a loop is simple, and its angles where it is held are at least `minimum_angle`.
 inline bool is_held_loop(const Progressive_mesh& pm, const std::vector<Arc>& arcs, double minimum_angle)
 {
   const Side_angles angles = side_angles(pm, arcs.back(), arcs.front());
@@ -174,10 +178,9 @@ inline void sort_by_length(std::vector<std::vector<Arc>>& loops)
                    [](const auto& a, const auto& b) { return total_length(a) < total_length(b); });
 }
 
-// The simple geodesic loops at a vertex that result from loops of edges, tightened while they are held at the vertex.
-// Only those with at least the given angle at the vertex, each once, the shortest first. Each starts at the vertex.
-// `unit` of the surface. Cost: O(n log n) for the loops of edges, plus that of tightening each until it meets the way
-// of another one.
+// Tightens loops of edges while they are held at a vertex. Returns the results that are simple geodesic loops with at
+// least the given angle at the vertex, each once, the shortest first. Each starts at the vertex. `unit` is that of the
+// surface. Cost: O(n log n) for the loops of edges, plus that of `Held_curves::insert()` for each.
 inline std::vector<std::vector<Arc>> held_loops(const Progressive_mesh& pm, Index vertex, double minimum_angle,
                                                 const Length_unit& unit)
 {
@@ -207,25 +210,26 @@ inline std::vector<std::vector<Arc>> held_loops(const Progressive_mesh& pm, Inde
   return loops;
 }
 
-// A loop of a level may be longer than what it becomes on the input by this share, beyond what the way between the two
-// places where they are held explains.
+// A loop of a level may be longer than the loop that it becomes on the input: by this share, in addition to what the
+// way between the two places where they are held explains.
 constexpr double greatest_shrinkage = 0.1;
 
-// If none of the others holds on the input, so many are tried that are folded or not simple on the level.
+// If no other loop gives a result on the input, at most so many are tried that are folded or not simple on the level.
 constexpr std::size_t max_doubtful_loops = 16;
 
-// A loop that is tight on a level, at the point nearest to a location, led past vertices of the level.
+// A loop that is tight on a level and held at the point of the level nearest to a location, as a path of vertices
+// beside it.
 struct Level_loop
 {
   const Level_copy* level;
-  std::vector<Index> path; // from the vertex that the location's nearest one has been merged into
+  std::vector<Index> path; // from the vertex that the location's nearest vertex of T^0 has been merged into
   double length, distance; // of the loop, and of the point from the location
 };
 
-// The loops of a level at a location, found among so many vertices and loops of edges, that are not longer than a
-// greatest length: those that are simple and have a certain angle, and those that are or have not. `unit` of T^0;
-// `nearest` is a vertex of T^0 at the location or joined to it. Cost: that of `Loops_at_vertex` on the level, plus that
-// of tightening each loop until it meets the way of another one.
+// Finds the loops of a level at a location that are not longer than `greatest_length`, from at most `most_loops` loops
+// of edges among at most `most_vertices` vertices. Appends those that are simple and have at least `minimum_angle` to
+// `loops`, and the others to `doubtful`. `unit` is that of T^0; `nearest` is a vertex of T^0 at the location or joined
+// to it. Cost: that of `Loops_at_vertex` on the level, plus that of `Held_curves::insert()` for each loop of edges.
 inline void find_loops_on_level(const Level_copy& level, const Length_unit& unit, Index nearest,
                                 const Progressive_mesh::Point& location, std::size_t most_vertices,
                                 std::size_t most_loops, double greatest_length, double minimum_angle,
@@ -260,14 +264,14 @@ public:
     : m_vertex(vertex), m_nearest(nearest), m_to_input(pm)
   {}
 
-  // The closed path along the loop, from the vertex on, which it passes once; with fewer than three vertices if there
-  // is none.
+  // The closed path of T^0 along the loop. It starts at the vertex, which it passes once. It has fewer than three
+  // vertices if there is no such path.
   std::vector<Index> operator()(const Level_loop& loop)
   {
     const Level_copy& level = *loop.level;
     const Index root = level.vertex(m_nearest);
     std::vector<Index> path;
-    Index from = m_vertex, before = root; // and the vertex of the level that stands for it
+    Index from = m_vertex, before = root; // the end of the path, and the vertex of the level that stands for it
     bool passes_root = true;
     const auto lead = [&](Index to, Index stands_for_it) {
       // a curve that passed the vertex a second time would be held there, too
@@ -295,7 +299,7 @@ public:
   }
 
 private:
-  // A path may lead to the vertex that stands for those of a cluster, and back.
+  // Removes spurs: a path may lead to the vertex that stands for a cluster of vertices, and back.
   static void remove_spurs_inside(std::vector<Index>& path)
   {
     std::size_t end = 0;
@@ -311,8 +315,8 @@ private:
   Paths_to_finer_level m_to_input;
 };
 
-// Which vertices of a level are those that vertices of T^0 have been merged into, or joined to one of these. `nearest`
-// stands for a vertex that has been put in. Linear in the size of the level.
+// For each vertex of a level, whether one of the given vertices of T^0 has been merged into it or into a vertex joined
+// to it. `nearest` stands for `inserted`, the vertex that has been put in. Linear in the size of the level.
 inline std::vector<bool> vertices_near(const Level_copy& level, Index nearest, const std::vector<Index>& vertices,
                                        Index inserted)
 {
@@ -331,13 +335,13 @@ inline std::vector<bool> vertices_near(const Level_copy& level, Index nearest, c
   return result;
 }
 
-// The same on a large surface, `pm`, which is that of `prepared` or that with `vertex` put in. The loops are looked for
-// on a level, and around the vertex alone, as small ones may be too small for that level, on the finer levels and on
-// the surface itself. Those that are tight on a level, the shortest first, are led to the surface and tightened again,
-// as far as they may be among the shortest. What is shorter than the shortest of them, but for a bump that it passes on
-// the other side, is looked for on the surface beside it. `nearest` is a vertex of T^0 at `vertex` or joined to it. At
-// most `maximum_number` loops. Cost: that of `find_loops_on_level()` for each level; plus, for each loop that is led to
-// the surface, that of `Paths_to_finer_level` and of tightening it.
+// As `held_loops()`, on a large surface `pm`: that of `prepared`, or that with `vertex` put in. Loops are looked for on
+// a level. As a loop may be too small for that level, they are also looked for on the finer levels and on the surface
+// itself, there around the vertex alone. The loops that are tight on a level are led to the surface, the shortest
+// first, and tightened again, if they may be among the shortest. At last loops are looked for on the surface beside the
+// shortest one: a loop that passes a bump on the other side may be shorter. `nearest` is a vertex of T^0 at `vertex` or
+// joined to it. Returns at most `maximum_number` loops. Cost: that of `find_loops_on_level()` for each level; plus, for
+// each loop that is led to the surface, that of `Paths_to_finer_level` and of tightening it.
 template <class TriangleMesh, class VertexPointMap>
 std::vector<std::vector<Arc>> held_loops_of_levels(const Prepared_surface<TriangleMesh, VertexPointMap>& prepared,
                                                    const Progressive_mesh& pm, Index vertex, Index nearest,

@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The direction of an axis, the same one for both of its orientations, with coordinates of at most 1. Throws
-// Invalid_input for a coordinate that is not a finite number, and for a vector of length 0.
+// A vector along an axis, the same one for both orientations of the axis; its coordinates have absolute values of at
+// most 1. Throws Invalid_input for a coordinate that is not a finite number, and for a vector of length 0.
 template <class Vector>
 Vector3 given_axis(const Vector& axis)
 {
@@ -65,7 +65,8 @@ public:
       m_changed.emplace(std::move(m_inserted.table), std::move(m_inserted.points));
   }
 
-  // Linear in the number of faces that are crossed, plus the cost of tightening, and of letting go.
+  // Linear in the number of faces that the section crosses, plus the cost of tightening the curve, and of letting it
+  // go.
   Plane_section<TriangleMesh> section(const Vector3& axis, bool certifies) const
   {
     Plane_section<TriangleMesh> result;
@@ -105,7 +106,8 @@ private:
     result.locations.push_back(m_inserted.is_changed ? m_locations.at(m_at) : m_locations.corner(m_inserted.vertex));
   }
 
-  // Appends the points of a branch but for the vertex. Where it passes a vertex it may cross several edges there.
+  // Appends the points of a branch, except the vertex where it begins. A branch that passes another vertex may cross
+  // several edges at this vertex.
   void place(const Section_branch& branch, Plane_section<TriangleMesh>& result) const
   {
     result.length += m_prepared.imported().unit().restored(branch.length);

@@ -25,8 +25,8 @@ namespace internal {
 typedef std::array<Interval_nt<false>, 3> Interval_point;
 typedef std::array<Rational, 3> Rational_point;
 
-// Called while rounding is upward. Number types other than the built-in ones rely on rounding to the nearest, so it is
-// restored while they compute.
+// Called while rounding is upward. Number types other than the built-in ones rely on rounding to the nearest, so this
+// mode is restored while they compute.
 template <class Point>
 Interval_point interval_point(const Point& p)
 {
@@ -68,7 +68,8 @@ public:
 
   Graph_surface(const TriangleMesh& tm, VertexPointMap vpm) : Base(tm), m_vpm(vpm) {}
 
-  // Throws Invalid_input if h is neither in a triangle nor in a hole. Whoever computes with a face asks for this.
+  // Throws Invalid_input if h is neither in a triangle nor in a hole. Every computation with a face calls this
+  // function.
   Halfedge prev(Halfedge h) const
   {
     if(!this->is_ghost(h) && !this->is_triangle(h))
@@ -91,7 +92,7 @@ private:
   VertexPointMap m_vpm;
 };
 
-// T^0 of a progressive mesh, with the points of the triangle mesh that it was taken over from.
+// T^0 of a progressive mesh, with the points of the triangle mesh that was imported.
 template <class TriangleMesh, class VertexPointMap>
 class Imported_surface
 {

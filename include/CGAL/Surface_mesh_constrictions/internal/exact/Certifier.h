@@ -28,10 +28,10 @@ namespace internal {
 struct Known_of_arc
 {
   bool is_straight = false;
-  Rounded_directions directions; // if it is straight
+  Rounded_directions directions; // if the arc is straight
   bool has_angles = false;
-  // for the left and the right: the sign of the side angle - pi, and whether it goes around the whole pivot if both
-  // arcs are in one face
+  // for the left and the right side: the sign of the side angle - pi; and, if both arcs are in one face, whether the
+  // side angle goes around the whole pivot
   std::array<Proved_sign, 2> beyond_pi = {{Proved_sign::UNPROVED, Proved_sign::UNPROVED}};
   std::array<bool, 2> is_whole_turn = {{false, false}};
 };
@@ -41,16 +41,16 @@ template <class Surface>
 struct Finding
 {
   Certificate certificate;
-  std::size_t arc = 0;        // that is not straight, or that starts at the pivot with an angle below pi
-  bool is_whole_turn = false; // of that angle, if both arcs are in one face: whether it goes around the whole pivot
+  std::size_t arc = 0;        // the one that is not straight, or that starts at the pivot with an angle below pi
+  bool is_whole_turn = false; // whether that angle goes around the whole pivot, if both arcs are in one face
   std::array<std::vector<Exact_arc<Surface>>, 2> band_ends; // the last copies of flat bands on the left and right
 
   explicit Finding(Certificate_verdict verdict, std::size_t arc = 0) : arc(arc) { certificate.verdict = verdict; }
 };
 
 // Decides the conditions of the contract in `certify_constriction.h` exactly, in their order, but for the first one,
-// which `arcs_of_locations()` decides. Used by the thread that made it: where the floating-point arithmetic of this
-// thread has a defect, each examination ends with that.
+// which `arcs_of_locations()` decides. A certifier is used only by the thread that made it: where the floating-point
+// arithmetic of this thread has a defect, the verdict of each examination is this defect.
 template <class Surface>
 class Certifier
 {
@@ -74,7 +74,8 @@ public:
     return examine(arcs, known);
   }
 
-  // As above, but decides only signs that are not yet in `known`, which has an element for each arc, and adds them.
+  // As above, but decides only signs that are not yet in `known`, and adds them to it. `known` has an element for each
+  // arc.
   Finding<Surface> examine(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
   {
     if(m_floating_point_defect != Certificate_verdict::NOT_COMPUTED)
@@ -85,8 +86,8 @@ public:
     return result;
   }
 
-  // As above, of arcs from an end that is held to another one: GEODESIC_ARC if they are straight, with side angles of at
-  // least pi at each pivot between; else the first condition that is violated.
+  // As above, for a path that is held at its two ends. The verdict is GEODESIC_ARC if the arcs are straight, with side
+  // angles of at least pi at each pivot between the ends; else it is the first condition that is violated.
   Finding<Surface> examine_path(const std::vector<Arc>& arcs, std::vector<Known_of_arc>& known)
   {
     if(m_floating_point_defect != Certificate_verdict::NOT_COMPUTED)
@@ -107,8 +108,9 @@ public:
     return Exact_simplicity<Surface>(m_prover, arcs).find().verdict == Certificate_verdict::NOT_COMPUTED;
   }
 
-  // NOT_STRAIGHT, TIE_NOT_PROVED, or NOT_COMPUTED if the arc is straight: the ends of each portal lie strictly on their
-  // sides of the line from the one end of the arc to the other.
+  // Decides whether arc i is straight: whether the ends of each portal lie strictly on their sides of the line from one
+  // end of the arc to the other. The verdict is NOT_COMPUTED if the arc is straight, else NOT_STRAIGHT or
+  // TIE_NOT_PROVED.
   Finding<Surface> examine_arc(const std::vector<Arc>& arcs, std::size_t i)
   {
     Rounded_directions directions;
@@ -180,7 +182,7 @@ public:
   }
 
 private:
-  // Of a closed curve, the first pivot of which may come after crossings of the last arc.
+  // The number of locations of a closed curve, whose first pivot may come after crossings of the last arc.
   static std::size_t number_of_locations(const std::vector<Arc>& arcs)
   {
     std::size_t result = arcs.size();
@@ -204,8 +206,8 @@ private:
     return std::nullopt;
   }
 
-  // The first side angle that is not proved to be at least pi, of the pivots where arcs from number `first` on start;
-  // on which sides one is proved to be more.
+  // The first side angle that is not proved to be at least pi, at the pivots where the arcs from number `first` on
+  // start. `is_strict` tells on which sides an angle is proved to be greater than pi.
   std::optional<Finding<Surface>> find_small_angle(const std::vector<Arc>& arcs, std::size_t first,
                                                    std::vector<Known_of_arc>& known, std::array<bool, 2>& is_strict)
   {

@@ -122,7 +122,7 @@ public:
     return k.ratio;
   }
 
-  // of all corners that the expression has used
+  // the radicands of all corners that the expression has used
   std::vector<Rational> radicands() const
   {
     std::vector<Rational> result;
@@ -220,7 +220,7 @@ struct No_image
 {};
 
 // In the finite field. The roots of the basis are independent, so any choice of their images extends to a homomorphism
-// from the numbers whose denominators the prime does not divide: a number whose image is not zero is not zero.
+// from the numbers whose denominators the prime does not divide. So a number whose image is not zero is not zero.
 template <class Surface>
 class Finite_field_arithmetic
 {

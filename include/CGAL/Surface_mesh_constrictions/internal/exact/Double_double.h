@@ -41,7 +41,7 @@ public:
     return ordered_sum_of(p.m_high, p.m_low + (a.m_high * b.m_low + a.m_low * b.m_high));
   }
 
-  // By two steps of a long division.
+  // The quotient, by two steps of a long division.
   friend Double_double operator/(const Double_double& a, const Double_double& b)
   {
     const double first = a.m_high / b.m_high;
@@ -51,7 +51,7 @@ public:
     return ordered_sum_of(first, second) + Double_double(rest_of_rest.m_high / b.m_high);
   }
 
-  // Of a number that is not negative, by a step of Newton's method.
+  // The square root of a number that is not negative, by a step of Newton's method.
   friend Double_double sqrt(const Double_double& a)
   {
     if(!(a.m_high > 0))
@@ -70,7 +70,7 @@ private:
     return {sum, (a - (sum - part)) + (b - part)};
   }
 
-  // Where |a| >= |b|, or a is zero.
+  // The sum of a and b, where |a| >= |b| or a is zero.
   static Double_double ordered_sum_of(double a, double b)
   {
     const double sum = a + b;

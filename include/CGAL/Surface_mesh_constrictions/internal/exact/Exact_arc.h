@@ -27,7 +27,7 @@ typename Surface::Halfedge edge(const Surface& s, typename Surface::Halfedge h)
   return (std::min)(h, s.opposite(h));
 }
 
-// An unfolded halfedge that is crossed: as one goes out of its face, its target is on the left.
+// An unfolded halfedge that is crossed. For a curve that leaves the face of the halfedge, its target is on the left.
 template <class NT>
 struct Exact_portal
 {
@@ -43,7 +43,7 @@ struct Unfolded_strip
   Planar<NT> apex; // the corner that the last halfedge is crossed to
 };
 
-// Unfolds a strip into the plane, its first portal given. The vectors along the portals are products of numbers of
+// Unfolds a strip into the plane. Its first portal is given. The vectors along the portals are products of numbers of
 // the faces, not differences of positions, so that intervals stay narrow. Linear.
 template <class Surface, class Arithmetic>
 Unfolded_strip<typename Arithmetic::NT> unfold(const Surface& s, const Arithmetic& arithmetic,
@@ -69,7 +69,8 @@ Unfolded_strip<typename Arithmetic::NT> unfold(const Surface& s, const Arithmeti
   return result;
 }
 
-// Unfolds the strip of an arc with crossings, `from` to the origin and its start halfedge to the positive x axis.
+// Unfolds the strip of an arc with crossings, with `from` at the origin and the start halfedge along the positive x
+// axis.
 template <class Surface, class Arithmetic>
 Unfolded_strip<typename Arithmetic::NT> unfold(const Surface& s, const Arithmetic& arithmetic,
                                                const Exact_arc<Surface>& arc)
@@ -78,7 +79,7 @@ Unfolded_strip<typename Arithmetic::NT> unfold(const Surface& s, const Arithmeti
   return unfold(s, arithmetic, {arithmetic.ratio(s.prev(arc.crossings.front())), right}, arc.crossings);
 }
 
-// The direction of an arc at `from`, the start halfedge being the positive x axis.
+// The direction of an arc at `from`, with the start halfedge along the positive x axis.
 template <class Surface, class Arithmetic>
 Planar<typename Arithmetic::NT> start_direction(const Surface& s, const Arithmetic& arithmetic,
                                                 const Exact_arc<Surface>& arc)
@@ -88,7 +89,7 @@ Planar<typename Arithmetic::NT> start_direction(const Surface& s, const Arithmet
   return unfold(s, arithmetic, arc).apex;
 }
 
-// The direction from `to` back into the arc, the end halfedge being the positive x axis; of an arc that is unfolded.
+// The direction from `to` back into an arc that is unfolded, with the end halfedge along the positive x axis.
 template <class Arithmetic>
 Planar<typename Arithmetic::NT> end_direction(const Arithmetic& arithmetic,
                                               const Unfolded_strip<typename Arithmetic::NT>& strip)
@@ -112,7 +113,8 @@ struct Rounded_directions
   Planar<Interval_nt<false>> start, end;
 };
 
-// A corner of a strip: an end of the portals from number `portal` on, until the end on that side changes.
+// A corner of a strip: the vertex that is the end on one side of portal number `portal`, and of those after it until
+// the end on this side changes.
 struct Strip_corner
 {
   std::size_t portal;

@@ -44,13 +44,13 @@ struct Exact_band_end
 {
   Band_outcome outcome;
   std::vector<Exact_arc<Surface>> curve; // the last copy
-  double width;                          // from the curve that the band was followed from
+  double width;                          // of the band, from the given curve on
 };
 
 // Moves a closed geodesic, all of whose angles on a side are pi, through the flat band on that side to its end: the
-// first copy with an angle on that side other than pi. The end leaks if one of them is less. A band that closes in
-// itself, around a flat torus, holds.
-// O(copies that meet vertices) steps, each linear in the faces of the band, times the cost of the arithmetic.
+// first copy with an angle on that side other than pi. The end leaks if such an angle is less than pi. A band that
+// closes around a flat torus holds. O(copies that meet vertices) steps, each linear in the faces of the band, times the
+// cost of the arithmetic.
 template <class Surface>
 Exact_band_end<Surface> follow_flat_band(Sign_prover<Surface>& prover, std::vector<Exact_arc<Surface>> curve,
                                          Curve_side side)
@@ -61,7 +61,8 @@ Exact_band_end<Surface> follow_flat_band(Sign_prover<Surface>& prover, std::vect
   std::set<typename Surface::Vertex> visited;
   for(;;)
   {
-    // the fan at a pivot whose angle is pi consists of whole edges, so arcs in one face go around the whole pivot
+    // the fan at a pivot whose angle is pi has at least one edge; if both arcs are in one face it goes around the whole
+    // pivot
     std::vector<Halfedge> strip;
     Halfedge at_pivot = Halfedge();
     bool has_fan = false;

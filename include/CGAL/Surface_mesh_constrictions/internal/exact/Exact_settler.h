@@ -33,15 +33,15 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Certifies curves that were tightened in floating point. Where rounding chose the wrong side of a near tie, the
-// combinatorics are corrected as the tightening would have done with exact numbers: an arc that is not straight is
-// pulled in its strip, and a curve is led around the pivots that it makes too small an angle at, or out of the flat
-// band that leaks.
+// combinatorial curve is corrected, as the tightening would have done with exact numbers: an arc that is not straight
+// is pulled straight in its strip, and a curve is led around the pivots at which its angle is too small, or out of a
+// flat band that leaks.
 //
-// Near a flat band, or along a strip that is nearly straight, hundreds of pivots may be wrong at a time. All of them
-// are passed at once, and the string is pulled from one right pivot to the next, or in the closed strip if there is
-// none. The curve lies in the closure of these strips and is bent at pivots on their boundary, so what is pulled is
-// shorter; only slipping out of a leaking band leaves the length as it is, and the next step shortens. So no curve
-// comes up twice, and as there are finitely many that are no longer than the first one, the correction ends.
+// Near a flat band, or along a strip that is nearly straight, hundreds of pivots may be wrong at a time. One step
+// passes all of them: it pulls the curve straight from each right pivot to the next one, or in the closed strip if no
+// pivot is right. The curve lies in the closure of these strips and is bent at pivots on their boundary, so the pulled
+// curve is shorter. Only the step out of a leaking band leaves the length as it is, and the next step shortens the
+// curve. So no curve comes up twice. As finitely many curves are no longer than the first one, the correction ends.
 template <class TriangleMesh, class VertexPointMap>
 class Exact_settler
 {
@@ -55,8 +55,9 @@ public:
   {}
 
   // The certificate of a curve of the network after its correction. The curve has no arcs if it degenerates, and is
-  // canonical if it lies in a flat band. If a tie cannot be proved the curve is left as far as it was corrected.
-  // Costs what Certifier::examine() does if no correction is needed; what a step changes is examined anew, no more.
+  // canonical if it lies in a flat band. If a tie cannot be proved, the curve stays as the steps before have corrected
+  // it. Costs as much as Certifier::examine() if no correction is needed; after a step only what it has changed is
+  // examined anew.
   Certificate settle(Curve_network& network, Index c)
   {
     Exact_curve curve = exact_arcs<Surface>(arcs_of_curve(network, c));
@@ -99,7 +100,7 @@ public:
   }
 
   // The certificate of a path that is held at its ends, after its correction. The path has no arcs if it shrinks to the
-  // one pivot that it is held at. Costs what settle() does.
+  // one pivot that it is held at. Costs as much as settle().
   Certificate settle_path(std::vector<Arc>& path)
   {
     Exact_curve curve = exact_arcs<Surface>(path);
@@ -145,8 +146,8 @@ private:
     return result;
   }
 
-  // Of the two ends of the band that holds a curve, the one with the smaller vertex, unless it touches itself there. A
-  // band without an end on one side ends with the curve.
+  // Of the two ends of the band that holds a curve, the one with the smaller vertex; the other end if this one touches
+  // itself, and the curve if both do. A band without an end on one side ends with the curve.
   Exact_curve canonical_copy(const Exact_curve& curve, const std::array<Exact_curve, 2>& band_ends)
   {
     std::array<const Exact_curve*, 2> ends = {{&band_ends[0], &band_ends[1]}};
@@ -161,7 +162,7 @@ private:
     return curve;
   }
 
-  // One step. False if there is nothing to correct, or no way.
+  // Does one step of the correction. False if there is nothing to correct, or if this is not possible.
   bool correct(Exact_curve& curve, std::vector<Known_of_arc>& known, const Finding<Surface>& finding)
   {
     switch(finding.certificate.verdict)
@@ -179,7 +180,7 @@ private:
     }
   }
 
-  // One step. False if there is nothing to correct, or no way.
+  // As correct(), for a path that is held at its ends.
   bool correct_path(Exact_curve& path, std::vector<Known_of_arc>& known, const Finding<Surface>& finding)
   {
     if(finding.certificate.verdict == Certificate_verdict::ANGLE_BELOW_PI)
@@ -199,7 +200,7 @@ private:
     return true;
   }
 
-  // Numbers the arcs' locations anew.
+  // Numbers the locations of the arcs anew.
   static void renumber(Exact_curve& curve)
   {
     std::size_t location = 0;
@@ -221,7 +222,7 @@ private:
     return true;
   }
 
-  // Replaces arcs, after which something is not known of the pivots at the ends of the new ones.
+  // Replaces arcs by those of a path. The side angles at the pivots at the ends of the new arcs are not known then.
   static void replace(Exact_curve& curve, std::vector<Known_of_arc>& known, std::size_t first, std::size_t count,
                       const Exact_curve& path)
   {
@@ -234,8 +235,8 @@ private:
     known.insert(known.begin() + begin, path.size(), Known_of_arc());
   }
 
-  // Appends the shortest path in a strip, which is normalised first; nothing if it is a point. False if a tie could not
-  // be proved.
+  // Appends the shortest path in a strip; nothing if the path is a point. The strip is normalised first. False if a tie
+  // could not be proved.
   bool pull(Index from, Strip strip, Index to, Exact_curve& path)
   {
     normalize_strip(m_pm, from, strip, to);
@@ -246,14 +247,15 @@ private:
     return true;
   }
 
-  // The side of the pivot where an arc starts on which the curve makes too small an angle, 0 for the left and 1 for the
-  // right; -1 if there is none.
+  // The side on which the curve has an angle below pi at the pivot where an arc starts: 0 for the left, 1 for the
+  // right, -1 if there is none.
   static int sharp_side(const Known_of_arc& k)
   {
     return k.beyond_pi[0] == Proved_sign::NEGATIVE ? 0 : k.beyond_pi[1] == Proved_sign::NEGATIVE ? 1 : -1;
   }
 
-  // Of a path that is held at its ends its start is not passed.
+  // Leads a curve around the pivots where a side angle is below pi. The start of a path that is held at its ends is not
+  // passed.
   bool lead_around_pivots(Exact_curve& curve, std::vector<Known_of_arc>& known, bool is_held = false)
   {
     const std::size_t n = curve.size();
@@ -278,7 +280,7 @@ private:
 
     Exact_curve result;
     std::vector<Known_of_arc> known_of_result;
-    bool is_new = false; // the arc before
+    bool is_new = false; // whether the arc before is new
     for(std::size_t i = 0, end = 0; i < n; i = end)
     {
       end = i + 1;
@@ -308,8 +310,8 @@ private:
     return true;
   }
 
-  // The strip of the arcs [begin, end) that passes the pivots between them on their sharp sides. If the arcs are all of
-  // the curve, from the pivot `begin` around to itself, that one is passed, too, if `is_closed`.
+  // The strip of the arcs [begin, end) that passes the pivots between them on their sharp sides. If `is_closed`, the
+  // arcs are those of the whole curve, and the pivot where they begin and end is passed, too.
   Strip strip_past_pivots(const Exact_curve& curve, const std::vector<Known_of_arc>& known, std::size_t begin,
                           std::size_t end, bool is_closed = false) const
   {
@@ -346,10 +348,11 @@ private:
     return true;
   }
 
-  // A curve all of whose pivots are wrong is led through a closed strip, where it is shortest through the corner that
-  // reaches furthest into it. In a strip so wide that it unfolds over its own centre that may be another one: then
-  // corners are tried from the one with the shortest loop on. The loop is the shortest curve of the strip if it makes
-  // no angle below pi towards the strip at its corner.
+  // A curve all of whose pivots are wrong is led through a closed strip. The shortest curve of the strip passes through
+  // the corner that reaches furthest into the strip. In a strip so wide that it unfolds over its own centre it may pass
+  // through another corner: then the corners are tried in the order of the lengths of their loops, the shortest first.
+  // The loop through a corner is the shortest curve of the strip if its angle at the corner, on the side of the strip,
+  // is not below pi.
   bool lead_loop_around_pivots(Exact_curve& curve, std::vector<Known_of_arc>& known)
   {
     const Closed_strip strip(m_pm, strip_past_pivots(curve, known, 0, curve.size(), true));

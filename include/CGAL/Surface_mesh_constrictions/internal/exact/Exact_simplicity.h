@@ -104,11 +104,12 @@ private:
   {
     Halfedge halfedge;
     std::size_t arc;
-    bool is_start; // of the arc, not its end
+    bool is_start; // whether at the start of the arc, not at its end
   };
 
   // Whether the two strands through the pivot where arcs i and j start cross there: whether the rays of one separate
-  // those of the other. POSITIVE, NEGATIVE or UNPROVED; strands that run along each other do not cross there.
+  // those of the other. POSITIVE if they cross, NEGATIVE if they do not, or UNPROVED. Strands that run along each other
+  // do not cross there.
   Proved_sign is_crossed_at_pivot(std::size_t i, std::size_t j)
   {
     const std::size_t n = m_arcs.size();
@@ -239,7 +240,8 @@ private:
     return (std::min)(h, (std::min)(surface().next(h), surface().prev(h)));
   }
 
-  // The place on the boundary of the face of h, of a crossing of h that is `rank` steps along h, or of source(h).
+  // The place, on the boundary of the face of h, of the crossing of h with this rank along h; or of source(h) if the
+  // rank is 0.
   std::size_t place(Halfedge h, std::size_t rank) const
   {
     const Halfedge first = smallest_halfedge(h);

@@ -94,7 +94,7 @@ private:
   template <class NT>
   using Unfolded = std::optional<Unfolded_strip<NT>>;
 
-  // 1, -1, or 0 if the intervals do not tell.
+  // The sign of the turn from a over b to c: 1, -1, or 0 if the intervals do not decide it.
   template <class Arithmetic>
   int rounded_turn(const Arithmetic& arithmetic, Unfolded<typename Arithmetic::NT>& unfolded, const Corner& a,
                    const Corner& b, const Corner& c) const
@@ -129,10 +129,10 @@ private:
     return turn != 0 ? Bend{proved_sign(turn), Proved_sign::UNPROVED} : exact_bend(a, b, c);
   }
 
-  // What is left open when the whole strip is unfolded by intervals.
+  // Decides exactly the signs that the intervals of the whole strip leave open.
   Bend exact_bend(const Corner& a, const Corner& b, const Corner& c)
   {
-    // no more of the strip is unfolded than what lies between them
+    // only the part of the strip between the corners is unfolded
     std::size_t begin = m_strip->size(), end = 0;
     for(const Corner& corner : {a, b, c})
     {
@@ -182,7 +182,8 @@ private:
     return {signs[0], signs[1]};
   }
 
-  // Moves the end of one side of the funnel to `corner`. The side's chain turns towards its own side.
+  // Moves the end of one side of the funnel to `corner`. The chain of the left side turns to the left, that of the
+  // right side to the right.
   void advance(Chain& side, Chain& other, Curve_side which, const Corner& corner, std::vector<Corner>& bends)
   {
     const Proved_sign outward = which == Curve_side::LEFT ? Proved_sign::POSITIVE : Proved_sign::NEGATIVE;

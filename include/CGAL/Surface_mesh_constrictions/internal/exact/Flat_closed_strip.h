@@ -23,7 +23,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The portals of one turn of a cyclic strip and the first one of the next. The first runs from 0, on its right, to 1.
+// The portals of one turn of a cyclic strip, and the first portal of the next turn. The first portal runs from 0, its
+// right end, to 1.
 template <class Surface, class Arithmetic>
 std::vector<Exact_portal<typename Arithmetic::NT>> unfold_turn(const Surface& s, const Arithmetic& arithmetic,
                                                                std::vector<typename Surface::Halfedge> strip)
@@ -34,9 +35,9 @@ std::vector<Exact_portal<typename Arithmetic::NT>> unfold_turn(const Surface& s,
   return unfold(s, arithmetic, {left, right}, strip).portals;
 }
 
-// A closed strip of faces whose unfolding along one turn is a translation: what lies on one side of a closed geodesic
-// with all angles on that side equal to pi, or around one without pivots. Its corners, on the side to which the curve
-// is moved, are numbered.
+// A closed strip of faces whose unfolding along one turn is a translation. Such a strip lies on one side of a closed
+// geodesic all of whose angles on that side are pi, or around a closed geodesic without pivots. The corners of the
+// strip on the side to which the curve is moved are numbered.
 template <class Surface>
 class Flat_closed_strip
 {
@@ -152,7 +153,8 @@ public:
 private:
   typedef std::vector<Integer> Prismatic_heights;
 
-  // On a prism: by how much the corners lie to the left of a point of the strip, in some unit; else empty.
+  // On a prism, how far the corners lie to the left, as seen along the turn, from some point and in some unit; else
+  // empty.
   Prismatic_heights heights_on_prism() const
   {
     std::vector<Halfedge> turn = m_strip;
@@ -168,7 +170,7 @@ private:
     return result;
   }
 
-  // The corner that the curve meets first, but for rounding.
+  // The corner that the curve meets first, up to rounding.
   std::size_t probably_nearest_corner() const
   {
     Interval_nt<false>::Protector upward;
@@ -206,7 +208,7 @@ private:
   std::vector<Halfedge> m_strip;
   std::size_t m_first = 0; // its first portal, as numbered in the strip that was given
   Curve_side m_side;
-  std::vector<std::size_t> m_corners; // first portals
+  std::vector<std::size_t> m_corners; // the first portal of each
 };
 
 } // namespace internal

@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// An upper bound mantissa * 2^exponent of a number that is not negative, of any size: radii of many thousand bits are
-// no doubles. The operations add what they may lose by rounding, in whatever direction.
+// An upper bound mantissa * 2^exponent of a number that is not negative. The number may have any size: at precisions of
+// many thousand bits, radii are no doubles. The operations add what they may lose by rounding, in any rounding mode.
 class Upper_bound
 {
 public:
@@ -33,7 +33,7 @@ public:
     return Upper_bound(mantissa, exponent);
   }
 
-  // Of the length of a vector.
+  // An upper bound of the length of a vector.
   static Upper_bound norm(mpfr_srcptr x, mpfr_srcptr y)
   {
     const Upper_bound a = absolute(x), b = absolute(y);
@@ -75,7 +75,7 @@ private:
     return a.m_mantissa == 0 ? b.m_exponent : b.m_mantissa == 0 ? a.m_exponent : (std::max)(a.m_exponent, b.m_exponent);
   }
 
-  // As a multiple of a power of two that is not much smaller.
+  // The bound as a multiple of 2^exponent, which is not much smaller than the bound.
   double scaled(long exponent) const
   {
     if(m_mantissa == 0)
@@ -88,8 +88,8 @@ private:
   long m_exponent = 0;
 };
 
-// As discs, for the same reason as over intervals of doubles: boxes of any precision are of no use where they are
-// turned hundreds of times.
+// Points and vectors are discs, for the same reason as over intervals of doubles: boxes of any precision are of no use
+// where they are turned hundreds of times.
 template <>
 class Planar<Multiprecision_interval>
 {
@@ -168,7 +168,7 @@ private:
                        mpfr_get_prec(b.m_y.get())});
   }
 
-  // What a rounding to the nearest changes at most, relative to the result.
+  // The greatest change by a rounding to the nearest, relative to the result.
   Upper_bound roundoff() const { return Upper_bound::power_of_two(-static_cast<long>(mpfr_get_prec(m_x.get()))); }
 
   Upper_bound norm() const { return Upper_bound::norm(m_x.get(), m_y.get()); }

@@ -82,7 +82,7 @@ public:
     mpfr_set_q(m_high.get(), q.backend().data(), MPFR_RNDU);
   }
 
-  // Of a number that is not negative.
+  // Bounds of the square root of a number that is not negative.
   static Multiprecision_interval square_root(const Rational& q, mpfr_prec_t precision)
   {
     Multiprecision_interval result(q, precision);

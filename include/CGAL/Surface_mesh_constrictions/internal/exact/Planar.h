@@ -38,9 +38,10 @@ private:
   NT m_x, m_y;
 };
 
-// Over intervals: a disc instead of a box. A box grows each time it is turned, in a long strip beyond all use; the
-// radius of a product of discs, relative to its distance from the origin, is no more than the sum of those of the
-// factors. The rounding mode is upward, as Interval_nt<false> needs; the bounds hold in any.
+// Over intervals a point or vector is a disc instead of a box. A box grows each time it is turned, and is of no use in
+// a long strip. The radius of a product of discs, relative to the distance of the disc from the origin, is no more than
+// the sum of these relative radii of the factors. The rounding mode is upward, as Interval_nt<false> needs; the bounds
+// hold in any rounding mode.
 template <>
 class Planar<Interval_nt<false>>
 {
@@ -82,7 +83,7 @@ public:
   }
 
 private:
-  // of a rounding to either side; twice that of a rounding to the nearest
+  // that of a rounding to either side, which is twice that of a rounding to the nearest
   static constexpr double unit_roundoff = 2.220446049250313e-16;
 
   Planar(double x, double y, double radius) : m_x(x), m_y(y), m_radius(radius) {}

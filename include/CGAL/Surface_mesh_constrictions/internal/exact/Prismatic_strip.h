@@ -21,14 +21,14 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// A strip of faces on a prism, in the wide sense: each edge that is crossed is parallel to one direction, or has the
-// faces of one plane on its two sides. So all faces are parallel to the direction e.
+// A strip of faces on a prism, in a wide sense: each edge that is crossed is parallel to one direction e, or its two
+// faces are coplanar. So all faces are parallel to e.
 //
-// Unfolded, such a strip has coordinates in which each is linear in square roots. Let e point up, and let n be the
-// normal of a face, as seen from outside. In the plane of the face p has height p.e and lies p.(e x n) / |n| to the
-// right, both in units of 1 / |e|. Neighbouring faces agree on both along their common edge, up to a shift to the
+// In the unfolding of such a strip each coordinate is linear in square roots. Let e point up, and let n be the normal
+// of a face, as seen from outside. In the plane of the face p has height p.e and lies p.(e x n) / |n| to the right,
+// both in units of 1 / |e|. Neighbouring faces agree on both coordinates along their common edge, up to a shift to the
 // right, since they are coplanar or the edge is parallel to e. So heights in the unfolding are those in space, rational
-// numbers, and what lies to the right is a sum of one rational multiple of 1 / |n| for each plane in between.
+// numbers, and a way to the right is a sum of rational multiples of 1 / |n|, one for each plane in between.
 //
 // Therefore the turn of three corners is a Root_sum, whatever the number of faces. And one turn of a closed strip is a
 // translation to the right, exactly, because it leads to a vertex of the same height.
@@ -47,8 +47,8 @@ public:
     Integer right; // of the origin of the plane, times |n|
   };
 
-  // None if the strip is not prismatic, or is one of a single plane as far as intervals of doubles tell.
-  // O(n) operations on intervals for n crossings if it is not, else on rational numbers.
+  // None if the strip is not prismatic, or if it lies in a single plane as far as intervals of doubles tell. O(n)
+  // operations for n crossings: on intervals if the strip is not prismatic, else on rational numbers.
   static std::optional<Prismatic_strip> make(const Surface& s, const std::vector<Halfedge>& strip)
   {
     Prismatic_strip result(s, strip);
@@ -87,10 +87,10 @@ public:
     return sign_of(coefficients);
   }
 
-  // That of all places at a vertex.
+  // The height of all places at a vertex.
   Integer height(Vertex v) const { return dot(point(v), m_direction); }
 
-  // POSITIVE if b lies to the right of a, the direction e pointing up.
+  // POSITIVE if b lies to the right of a, where the direction e points up.
   Proved_sign way_right(const Place& a, const Place& b) const
   {
     std::vector<Integer> coefficients(m_planes.size());
@@ -99,7 +99,8 @@ public:
   }
 
 private:
-  // in units of a common denominator of all coordinates: rational arithmetic would look for divisors all the time
+  // coordinates times a common denominator of all of them: rational arithmetic would look for common divisors all the
+  // time
   typedef std::array<Integer, 3> Vector;
   typedef std::array<Interval_nt<false>, 3> Interval_vector;
 
@@ -183,7 +184,8 @@ private:
     return true;
   }
 
-  // Whether the first two edges that must be parallel to e are: a strip that was rotated in doubles ends here.
+  // Whether the first two edges that must be parallel to e are parallel to it. A strip that was rotated in doubles
+  // fails this test.
   bool first_edges_are_parallel() const
   {
     const auto e = rational_vector(*m_direction_edge);
@@ -305,7 +307,7 @@ private:
   std::vector<std::size_t> m_plane_of_face; // of the face before each edge, and of the last face
 };
 
-// Ties of one strip: makes the Prismatic_strip at the first call.
+// Decides ties of one strip. Makes the Prismatic_strip at the first call.
 template <class Surface>
 class Prismatic_ties
 {

@@ -42,7 +42,7 @@ class Radical_number
 public:
   Radical_number() = default;
 
-  // The multiple of the product of the sqrt(b_i) whose bits are set. The field must outlive the number.
+  // `coefficient` times the product of the sqrt(b_i) whose bits are set in `mask`. The field must outlive the number.
   Radical_number(const Rational& coefficient, std::uint64_t mask, Radical_field& field) : m_field(&field)
   {
     if(coefficient != 0)

@@ -21,8 +21,8 @@ namespace internal {
 typedef boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off> Rational;
 typedef boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off> Integer;
 
-// The rational number that a coordinate is; none if it is not known to be one. An overload for each kind of number
-// type.
+// The rational number that a coordinate is; none if the coordinate is not known to be rational. There is an overload
+// for each kind of number type.
 
 template <class T>
 std::enable_if_t<std::is_arithmetic<T>::value, std::optional<Rational>> exact_rational(const T& x)
@@ -37,9 +37,9 @@ exact_rational(const boost::multiprecision::number<boost::multiprecision::gmp_ra
   return Rational(x);
 }
 
-// Of a real number that knows no more than the field operations, comparisons and an approximation in double: it is
-// tried as a double, then its continued fraction is developed. A rational number p / q ends after at most 3 log2(q)
-// terms; after `max_terms` none is returned, as for an irrational number.
+// For a number type that has no more than the field operations, comparisons and an approximation in double. The number
+// is tried as a double, then its continued fraction is developed. The continued fraction of a rational number p / q
+// ends after at most 3 log2(q) terms; after `max_terms` none is returned, as for an irrational number.
 template <class FT>
 std::optional<Rational> rational_by_continued_fraction(const FT& x)
 {

@@ -15,22 +15,22 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // A sum of terms coefficient * sqrt(radicand), each linear in one root. Square roots of positive rational numbers, no
-// two of which have a product that is a square, are linearly independent over the rational numbers: of a sum that is
-// zero, multiplied by one of the roots, the trace down to the rational numbers is a multiple of that root's coefficient
-// alone. So the sum is zero only if the coefficients of each square class add up to zero, and no product of roots is
-// ever formed.
+// two of which have a product that is a square, are linearly independent over the rational numbers: multiply a sum that
+// is zero by one of the roots; the trace of the product, down to the rational numbers, is a multiple of the coefficient
+// of this root alone. So the sum is zero only if the coefficients of each square class add up to zero, and no product
+// of roots is ever formed.
 class Root_sum
 {
 public:
-  // `radicand` is positive.
+  // `radicand` must be positive.
   void add(const Rational& coefficient, const Rational& radicand)
   {
     if(coefficient != 0)
       m_terms.push_back({coefficient, radicand});
   }
 
-  // -1, 0 or 1. A sum of n terms costs O(n) operations if 256 bits tell it from zero, else O(n c) tests for a
-  // square, c the number of square classes, and precision is doubled until the sign of a sum that is not zero shows.
+  // -1, 0 or 1. A sum of n terms costs O(n) operations if 256 bits tell it from zero, else O(n c) tests for a square,
+  // where c is the number of square classes. If the sum is not zero, the precision is doubled until its sign shows.
   int sign() const
   {
     if(m_terms.empty())

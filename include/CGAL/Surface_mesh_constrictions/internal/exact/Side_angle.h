@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The sum of angles in [0, pi], given as complex numbers, compared with pi by intervals.
+// How a sum of angles in [0, pi], given as complex numbers, compares with pi, by intervals.
 enum class Angle_sum
 {
   BELOW_PI,
@@ -140,7 +140,7 @@ public:
     }
   }
 
-  // Of arcs in one face: whether this side goes around the whole pivot. Known after `sign_beyond_pi()`.
+  // For arcs in one face, whether this side goes around the whole pivot. Known after `sign_beyond_pi()`.
   bool is_whole_turn() const { return m_is_whole_turn; }
 
 private:
@@ -200,7 +200,7 @@ private:
     return result;
   }
 
-  // For a sum around pi: minus its sine.
+  // The sign for a sum around pi: that of minus its sine.
   Proved_sign sign_around_pi()
   {
     return m_prover.sign(
@@ -216,8 +216,8 @@ private:
         });
   }
 
-  // The same if the curve, led past the pivot on this side, runs on a prism: there the side angle is less than pi if
-  // and only if the way from the one end over the pivot to the other turns to this side.
+  // The same sign if the curve, led past the pivot on this side, runs on a prism: then the side angle is less than pi
+  // if and only if the way from one end of the strip over the pivot to the other end turns to this side.
   Proved_sign sign_on_prism()
   {
     const Surface& s = m_prover.surface();
@@ -241,9 +241,9 @@ private:
     bool is_clockwise;
   };
 
-  // The same for a curve with this one pivot. The directions of its arc at both ends are those of one line, so the sum
-  // is that of corners alone, by which the strip turns. Of these, equal angles of opposite orientation cancel, as they
-  // do on symmetric surfaces: what would be a long product may then be short enough to be proved zero.
+  // The same sign for a curve that has only this pivot. The directions of its arc at both ends are those of one line,
+  // so the sum is one of corners alone, those by which the strip turns. Equal angles of opposite orientation cancel, as
+  // on symmetric surfaces: a product that would be long may then be short enough to be proved zero.
   Proved_sign sign_of_loop()
   {
     const Surface& s = m_prover.surface();
@@ -271,7 +271,7 @@ private:
   // Removes pairs of equal angles of opposite orientation.
   void cancel_opposite(std::vector<Turned_corner>& corners) const
   {
-    // the angle is known by the sign of its cosine and the square of its tangent; a right angle has no tangent
+    // an angle is determined by the sign of its cosine and the square of its tangent; a right angle has no tangent
     typedef std::pair<int, Rational> Key;
     Rational_corners<Surface> rational(m_prover.surface());
     std::map<Key, std::vector<std::size_t>> open[2];
@@ -301,7 +301,7 @@ private:
   const Arc &m_incoming, &m_outgoing;
   const Rounded_directions *m_of_incoming, *m_of_outgoing;
   Curve_side m_side;
-  Halfedge m_first, m_last; // the side is counterclockwise from the one to the other
+  Halfedge m_first, m_last; // the side extends counterclockwise from m_first to m_last
   bool m_is_whole_turn = false;
 };
 

@@ -34,7 +34,7 @@ inline Proved_sign opposite_sign(Proved_sign sign)
                                          : sign;
 }
 
-// Of an exact number.
+// The sign of an exact number.
 template <class NT>
 Proved_sign proved_sign(const NT& x)
 {
@@ -46,7 +46,7 @@ inline bool contains(const std::vector<Proved_sign>& signs, Proved_sign sign)
   return std::find(signs.begin(), signs.end(), sign) != signs.end();
 }
 
-// What an expression fills in: some of its values.
+// The values of an expression, which sets those that are wanted.
 template <class NT>
 class Wanted_values
 {
@@ -61,10 +61,10 @@ private:
   std::vector<NT> m_values;
 };
 
-// Decides the signs of expressions in the corners of a surface's faces, each an element of Q(sqrt r_1, ..., sqrt r_m)
-// with one root for each face: by intervals of doubles; by intervals of growing precision; a value that stays around
-// zero is proved to be no zero by its image in a finite field, and then precision grows until the sign shows; or it is
-// proved to be zero by writing it in a basis of the field.
+// Decides the signs of expressions in the corners of a surface's faces. Each expression is an element of Q(sqrt r_1,
+// ..., sqrt r_m), with one root for each face. It is computed by intervals of doubles, then by intervals of growing
+// precision. If these still contain zero, either its image in a finite field proves that it is not zero, and then the
+// precision grows until the sign shows; or it is proved to be zero by writing it in a basis of the field.
 template <class Surface>
 class Sign_prover
 {
@@ -74,16 +74,16 @@ public:
   const Surface& surface() const { return m_surface; }
   const Sign_statistics& statistics() const { return m_statistics; }
 
-  // The signs of n values. `expression(arithmetic, values)` sets the values that are wanted; it is called with
-  // different arithmetics and must not depend on more than they give.
+  // The signs of n values. `expression(arithmetic, values)` sets the values that are wanted. It is called with
+  // different arithmetics, and must use only what each of them provides.
   template <class Expression>
   std::vector<Proved_sign> signs(std::size_t n, const Expression& expression)
   {
     return signs(n, expression, [](std::size_t) { return Proved_sign::UNPROVED; });
   }
 
-  // As above. `tie(i)` is called for a value that intervals of doubles do not tell from zero, and may know its sign for
-  // another reason; else it returns UNPROVED. It may use this prover.
+  // As above. `tie(i)` is called for a value that intervals of doubles do not tell from zero. It returns the sign if it
+  // knows it for another reason, else UNPROVED. It may use this prover.
   template <class Expression, class Tie>
   std::vector<Proved_sign> signs(std::size_t n, const Expression& expression, const Tie& tie)
   {
@@ -216,8 +216,8 @@ private:
     m_statistics.unproved += static_cast<std::size_t>(std::count(unproved.begin(), unproved.end(), true));
   }
 
-  // Moves values that are not zero from `unproved` to `nonzero`. If the arithmetic proves zeros, those get their sign.
-  // Returns the number of values that left `unproved`.
+  // Moves values that are not zero from `unproved` to `nonzero`. If the arithmetic can prove that a value is zero, the
+  // values that are zero get their sign. Returns the number of values that left `unproved`.
   template <class Arithmetic, class Expression>
   std::size_t find_nonzero(const Square_root_basis& basis, const Expression& expression, std::vector<bool>& unproved,
                            std::vector<bool>& nonzero, std::vector<Proved_sign>& result, bool proves_zero)

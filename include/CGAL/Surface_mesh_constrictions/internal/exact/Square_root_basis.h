@@ -14,12 +14,12 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Positive integers b_1, ..., b_m, no product of distinct ones of which is a square, such that each of the given square
-// roots is a rational multiple of a product of some sqrt(b_i). Then the 2^m products are linearly independent over Q.
+// Positive integers b_1, ..., b_m such that no product of distinct ones is a square, and each of the given square roots
+// is a rational multiple of a product of some sqrt(b_i). Then the 2^m products are linearly independent over Q.
 //
-// Whether a product is a square is a linear question over the field of two elements: the quadratic characters of the
-// numbers modulo many primes are vectors; vectors that are independent prove the numbers independent, and a dependence
-// is verified with an integer square root.
+// Whether a product is a square is a question of linear algebra over the field of two elements: the quadratic
+// characters of a number modulo many primes form a vector. If the vectors are independent, so are the numbers. A
+// dependence of the vectors is verified with an integer square root.
 class Square_root_basis
 {
 public:
@@ -30,7 +30,7 @@ public:
     std::uint64_t mask;
   };
 
-  // Takes numbers that are not negative. O(n (m + number of primes)) steps, and a square root each.
+  // Takes numbers that are not negative. O(n (m + number of primes)) steps, and a square root for each number.
   explicit Square_root_basis(const std::vector<Rational>& radicands)
   {
     for(std::size_t primes = 128; !build(radicands, primes); primes *= 2)

@@ -43,7 +43,7 @@ struct Multiprecision
   static NT difference(double a, double b) { return NT(a) - NT(b); }
 };
 
-// Of the crossed halfedges of an arc, where the straight line from its start to its end meets them.
+// Where the straight line from the start to the end of an arc meets each crossed halfedge.
 struct Crossing_parameters
 {
   std::vector<double> values; // in [0, 1]
@@ -59,7 +59,8 @@ bool is_small(const Vector& v)
 }
 
 // The corners of a face that a halfedge is crossed to, as complex numbers: at the source and at the target of the
-// crossed halfedge, the edge to the third vertex over the crossed edge. Lies to the right of the crossed halfedge.
+// crossed halfedge, the edge to the third vertex over the crossed edge. The face lies to the right of the crossed
+// halfedge.
 template <class Precision>
 class Crossed_face
 {
@@ -111,11 +112,11 @@ private:
 };
 
 // Unfolds the strip of an arc with crossings, in multiples of the edge from its start to the source of the first
-// crossed halfedge. An edge is the edge before it times a number of the face, so its relative error grows by a few
-// roundings a face, whatever the shapes of the faces; positions are sums of edges. The bound of the error follows from
-// that. The source and the target of a crossed halfedge lie on different sides of the line, so no digits are lost when
-// their distances from it are added, however nearly parallel the edge and the line are: what counts is the error of the
-// distances compared to their sum. Linear.
+// crossed halfedge. Each edge is the edge before it times a number of the face, so its relative error grows by a few
+// roundings a face, whatever the shapes of the faces. Positions are sums of edges. The bound of the error follows from
+// this. The source and the target of a crossed halfedge lie on different sides of the line of the arc, so no digits are
+// lost when their distances from the line are added, however nearly parallel the halfedge and the line are. What counts
+// is the error of the distances compared to their sum. Linear.
 template <class Precision>
 Crossing_parameters accurate_parameters(const Progressive_mesh& pm, const Arc& arc)
 {
@@ -186,10 +187,10 @@ Crossing_parameters accurate_parameters(const Progressive_mesh& pm, const Arc& a
   return result;
 }
 
-// Like trace(), with parameters whose errors are some roundings of 1 also where the curve meets edges at the smallest
-// of angles, and after any number of faces: with numbers of 106 bits, and, where the bound of their error says that
-// these are not enough, of 300 digits, whatever rounding mode the caller has set. Linear; three to nine times the cost of
-// trace().
+// Like trace(), but the errors of the parameters are some roundings of 1 also where the curve meets edges at the
+// smallest of angles, and after any number of faces. Computes with numbers of 106 bits and, where the bound of their
+// error says that these are not enough, with numbers of 300 digits, whatever rounding mode the caller has set. Linear;
+// three to nine times the cost of trace().
 inline std::vector<Trace_point> accurate_trace(const Progressive_mesh& pm, const std::vector<Arc>& curve)
 {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);

@@ -22,12 +22,13 @@ template <class Surface>
 struct Located_arcs
 {
   Certificate_verdict verdict; // NOT_COMPUTED if the arcs are good; else why not
-  std::size_t location;        // that does not fit the next one
+  std::size_t location;        // the one that does not fit the next one
   std::vector<Exact_arc<Surface>> arcs;
 };
 
-// The copy that runs through vertices of the closed geodesic in a strip that is crossed without pivots. There is one
-// if the strip unfolds to a translation and is nowhere closed by its corners; then all copies have the same verdict.
+// Finds the closed geodesic in a strip that is crossed without pivots: its copy that runs through vertices. There is
+// one if the strip unfolds to a translation, and its corners leave room for a straight line all along it. Then all
+// copies have the same verdict.
 template <class Surface>
 Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vector<typename Surface::Halfedge>& strip)
 {
@@ -87,7 +88,7 @@ Located_arcs<Surface> arcs_of_strip(Sign_prover<Surface>& prover, const std::vec
   return result;
 }
 
-// Reads a closed curve off its locations. Linear, but for curves without pivots.
+// Reads a closed curve off its locations. Linear, except for curves without pivots.
 template <class Surface, class LocationRange>
 Located_arcs<Surface> exact_arcs_of_locations(Sign_prover<Surface>& prover, const LocationRange& locations)
 {

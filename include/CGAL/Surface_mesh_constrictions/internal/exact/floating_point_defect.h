@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Compares the bits: where subnormal numbers are taken for zero, comparisons do so, too.
+// Compares the bits: where subnormal numbers are taken for zero, comparisons of doubles take them for zero, too.
 inline bool is_same_double(double a, double b)
 {
   static_assert(sizeof(double) == sizeof(std::uint64_t));
@@ -55,7 +55,7 @@ bool rounds_as_directed()
                     6369051672525773. / 4503599627370496.); // 2^52 sqrt(2)
 }
 
-// Whether results and operands below the least normal number are what they are, and not zero.
+// Whether results and operands below the least normal number keep their values, and are not taken for zero.
 template <class Interval>
 bool keeps_subnormals()
 {
@@ -69,20 +69,20 @@ bool keeps_subnormals()
          has_bounds(Interval(subnormal) * Interval(4), DBL_MIN, DBL_MIN);
 }
 
-// Whether each result is a double. An excess of precision would do no harm to bounds, but to the errors that are
-// computed of sums and products.
+// Whether each result is a double. Excess precision would do no harm to bounds, but would make the computed errors of
+// sums and products wrong.
 inline bool has_no_excess_precision()
 {
   const volatile double one_at_run_time = 1;
   const double one = one_at_run_time, tiny = DBL_EPSILON / 256 * one;
-  const volatile double rest = (one + tiny) - one; // computed before the rounding mode is another one
+  const volatile double rest = (one + tiny) - one; // computed before the rounding mode changes
   return is_same_double(rest, 0);
 }
 
-// What the calling thread's floating-point arithmetic lacks that the signs of intervals, and with them the proofs, rely
-// on: NO_DIRECTED_ROUNDING or SUBNORMALS_FLUSHED; else NOT_COMPUTED, in any rounding mode that the caller has set.
-// Valgrind ignores the rounding mode. A library that was linked with -Ofast by GCC makes the thread that loads it flush
-// subnormal numbers to zero, and all threads that this one starts. Some 20 operations.
+// The defect of the calling thread's floating-point arithmetic that the signs of intervals, and with them the proofs,
+// would suffer from: NO_DIRECTED_ROUNDING or SUBNORMALS_FLUSHED; NOT_COMPUTED if there is none. The caller may have set
+// any rounding mode. Valgrind ignores the rounding mode. A library that was linked with -Ofast by GCC makes the thread
+// that loads it, and all threads that this thread starts, flush subnormal numbers to zero. Some 20 operations.
 template <class Interval = Interval_nt<false>>
 BOOST_NOINLINE Certificate_verdict floating_point_defect()
 {

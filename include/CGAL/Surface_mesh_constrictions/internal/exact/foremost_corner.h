@@ -16,12 +16,13 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// How many precisions of intervals a choice is given that need not be proved. In one that stays open the numbers are
+// A choice that need not be proved is tried with so many precisions of intervals. If it stays open, the numbers are
 // taken to be equal.
 constexpr int precisions_of_a_choice = 4;
 
 // 1 if the unfolding of a cyclic strip rotates to the left along one turn, so that the centre of the rotation is on the
-// left, -1 if it rotates to the right, 0 if it is a translation as far as can be told. By less than a right angle.
+// left, -1 if it rotates to the right, 0 if it is a translation as far as can be told. The rotation is by less than a
+// right angle.
 template <class Surface>
 int rotation_sign(Sign_prover<Surface>& prover, const std::vector<typename Surface::Halfedge>& strip)
 {
@@ -34,10 +35,10 @@ int rotation_sign(Sign_prover<Surface>& prover, const std::vector<typename Surfa
   return sign;
 }
 
-// The portal of a cyclic strip whose end on the given side reaches furthest into it, that side being the one that the
-// centre of the rotation is on. On a circle around the centre a turn leads the further the greater the circle is, so
-// this is the end that one turn moves furthest; if there is no rotation, the one at the least distance across the
-// direction of the turn. Linear at each precision of intervals that is needed.
+// The portal of a cyclic strip whose end on the given side reaches furthest into the strip. The centre of the rotation
+// is on this side. One turn moves a point the further, the further the point is from the centre; so this is the end
+// that one turn moves furthest. If there is no rotation, it is the end that lies furthest towards the other side,
+// across the direction of the turn. Linear at each precision of intervals that is needed.
 template <class Surface>
 std::size_t foremost_portal(Sign_prover<Surface>& prover, const std::vector<typename Surface::Halfedge>& strip,
                             Curve_side side, bool rotates)

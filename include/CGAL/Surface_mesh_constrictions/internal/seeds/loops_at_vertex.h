@@ -20,19 +20,19 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Loops of edges through one vertex, the root, one for each kind of geodesic loop at the root: the shortest paths to
-// the two ends of an edge, and the edge. On smooth surfaces, geodesic loops at a point go through the local minima of
-// the distance from it along its cut locus, which are the saddles of the distance.
+// Loops of edges through one vertex, the root, one for each kind of geodesic loop at the root. Each consists of an edge
+// and the shortest paths from the root to its two ends. On smooth surfaces, geodesic loops at a point go through the
+// local minima of the distance from it along its cut locus, which are the saddles of the distance.
 //
-// Process the surface from far to near. The processed part begins as a region around each tip and each hole. At a
-// saddle two regions become one; the loop there encloses either of them. Its persistence is how much longer the loops
-// of edges further out in the lesser region are, relative to this loop; errors of paths along edges make loops of small
-// persistence. Once all regions are one, a loop that joins it to itself is not contractible. These loops are a greedy
-// homotopy basis (Erickson and Whittlesey 2005), and all of them are taken.
+// The surface is processed from far to near. The processed part begins as a region around each tip and each hole. At a
+// saddle two regions become one; the loop there encloses either of them. The persistence of this loop is how much
+// longer, relative to it, the loops of edges further out in the lesser region are. Errors of paths along edges make
+// loops of small persistence. Once all regions are one, a loop that joins this region to itself is not contractible.
+// Such loops are a greedy homotopy basis (Erickson and Whittlesey 2005), and all of them are taken.
 //
-// Only the vertices that are nearest to the root, along edges, are looked at, so many of them at most, and of these only
-// those that are allowed. All that is beyond is one region, like a hole. So the loops around a limb that leads out of
-// that part are of those that join a region to itself, if they are shorter than twice the distance of what is beyond.
+// Only the vertices nearest to the root along edges are looked at: at most `most_vertices`, and only those that are
+// allowed. All that is beyond them is one region, like a hole. So a loop around a limb that leads out of the part that
+// is looked at joins a region to itself, if the loop is shorter than twice the distance of what is beyond.
 class Loops_at_vertex
 {
 public:
@@ -44,7 +44,7 @@ public:
   {}
 
   // Looks only at vertices with is_allowed(v) that are not further away than the greatest distance. No path is longer
-  // than twice that.
+  // than twice this distance.
   template <class IsAllowed>
   Loops_at_vertex(const Progressive_mesh& pm, Index root, std::size_t most_vertices, double greatest_distance,
                   const IsAllowed& is_allowed)
@@ -56,9 +56,9 @@ public:
     find_persistences();
   }
 
-  // At most so many loops, paths of vertex ids from the root on, which is not repeated: first those that join a region
-  // to itself or separate two holes, the shortest first, then the others by persistence. A path may begin and end with
-  // the same edges.
+  // At most `maximum_number` loops, as paths of vertex ids that start at the root, which is not repeated. First come
+  // the loops that join a region to itself or separate two holes, the shortest first; then the others, in the order of
+  // their persistence. A path may begin and end with the same edges.
   std::vector<std::vector<Index>> paths(std::size_t maximum_number)
   {
     std::stable_sort(m_loops.begin(), m_loops.end(), [](const Loop& a, const Loop& b) {
@@ -98,10 +98,10 @@ private:
   struct Region
   {
     Index parent;
-    double longest; // of the loops in it, where it begins
+    double longest; // length of the loops in it, where it begins
   };
 
-  // Of a vertex that has been reached.
+  // The record of a vertex that has been reached.
   Reached& reached(Index v) { return m_reached[m_number[v] - 1]; }
 
   bool is_settled(Index v) const { return m_number[v] != 0 && m_reached[m_number[v] - 1].is_settled; }
@@ -144,7 +144,7 @@ private:
     }
   }
 
-  // From the longest to the shortest.
+  // Finds the loops, and sorts them from the longest to the shortest.
   void find_loops()
   {
     std::sort(m_settled.begin(), m_settled.end());
@@ -209,7 +209,7 @@ private:
   const Progressive_mesh& m_pm;
   const Index m_root;
   const double m_greatest_length;
-  Zeroed_array<Index> m_number;   // by vertex: of those that were reached, from 1 on
+  Zeroed_array<Index> m_number;   // by vertex: its number among those reached, from 1 on
   std::vector<Reached> m_reached; // by number - 1
   std::vector<Index> m_settled;   // vertices
   std::vector<Loop> m_loops;
