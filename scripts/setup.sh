@@ -9,9 +9,9 @@
 #   scripts/setup.sh --engines         also Slurm, with which scripts/batch_array.sh is tested; the packages enable the
 #                                      services munge, slurmctld and slurmd of this machine
 #
-# Without the rights to install packages it prints the command that installs them, and fails if the compilers need them.
-# The packages for the viewer, the engines and the Python module may be missing: then the program is built, or tested,
-# without these parts.
+# Without the rights to install packages it prints the command that installs them, and fails if the build or the tests
+# need them. The packages for the viewer, the engines and the Python module may be missing: then the program is built,
+# or tested, without these parts.
 set -euo pipefail
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -50,7 +50,8 @@ struct Plane_section
   std::size_t number_of_curves = 0;
 
   /// the geodesic loop that a closed curve becomes when it is tightened with the location held; nothing if it shrinks
-  /// to the location. Its member `let_go` is the constriction that the loop becomes when it is let go.
+  /// to the location, or touches or crosses itself. Its member `let_go` is the constriction that the loop becomes when
+  /// it is let go.
   std::optional<Geodesic_loop<TriangleMesh>> loop;
 
   /// writes the points of the curve, in the order of `locations`, to `out`.

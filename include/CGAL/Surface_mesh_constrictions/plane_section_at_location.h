@@ -35,11 +35,11 @@ Plane_section<TriangleMesh> plane_section_at_location_checked(const TriangleMesh
 ///
 /// The curve is the one that passes through the location; other curves of the same section, for example of other limbs,
 /// are left out. Where several curves of the section meet at the location, for example at the crotch between two legs,
-/// the shortest closed one is taken. Vertices in the plane count as being above it, so that the section is a curve
-/// everywhere. An axis and the opposite one give the same curve. A closed curve is tightened with the location held,
-/// like the loops of `geodesic_loops_at_location()`, and the loop that results is let go. The plane may be far from
-/// perpendicular to the limb, and then the section is longer than the loop: on a cylinder it is an ellipse, and the
-/// loop a circle.
+/// the shortest closed one is taken. Vertices in the plane count as being above it, or below it if there is no curve
+/// then, so that the section is a curve everywhere. An axis and the opposite one give the same curve. A closed curve is
+/// tightened with the location held, like the loops of `geodesic_loops_at_location()`, and the loop that results is let
+/// go. The plane may be far from perpendicular to the limb, and then the section is longer than the loop: on a cylinder
+/// it is an ellipse, and the loop a circle.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam Location a vertex descriptor of `TriangleMesh`, or `Constriction<TriangleMesh>::Face_location`, or a 3D
@@ -77,7 +77,8 @@ Plane_section<TriangleMesh> plane_section_at_location_checked(const TriangleMesh
 ///         `geodesic_loops_at_location()`; for an axis with a coordinate that is not a finite number, and for one of
 ///         length 0; and, with `certify`, for a coordinate that is not a rational number of moderate size
 /// \cost linear in the size of the mesh, plus the cost of `tighten_closed_curve()`. Of a prepared mesh, see
-///       `Constriction_query::plane_section()`, the section is linear in the number of faces that it crosses.
+///       `Constriction_query::plane_section()`, the section at a vertex is linear in the number of faces that it
+///       crosses; at another location it costs a copy of the mesh's connectivity and points.
 ///
 /// \sa `geodesic_loops_at_location()`
 /// \sa `Constriction_query`

@@ -226,10 +226,11 @@ struct Level_loop
   double length, distance; // of the loop, and of the point from the location
 };
 
-// Finds the loops of a level at a location that are not longer than `greatest_length`, from at most `most_loops` loops
-// of edges among at most `most_vertices` vertices. Appends those that are simple and have at least `minimum_angle` to
-// `loops`, and the others to `doubtful`. `unit` is that of T^0; `nearest` is a vertex of T^0 at the location or joined
-// to it. Cost: that of `Loops_at_vertex` on the level, plus that of `Held_curves::insert()` for each loop of edges.
+// Finds the loops of a level at a location that come from loops of edges of about `greatest_length` at most, from at
+// most `most_loops` loops of edges among at most `most_vertices` vertices. Appends those that are simple and have at
+// least `minimum_angle` to `loops`, and the others to `doubtful`. `unit` is that of T^0; `nearest` is a vertex of T^0
+// at the location or joined to it. Cost: that of `Loops_at_vertex` on the level, plus that of `Held_curves::insert()`
+// for each loop of edges.
 inline void find_loops_on_level(const Level_copy& level, const Length_unit& unit, Index nearest,
                                 const Progressive_mesh::Point& location, std::size_t most_vertices,
                                 std::size_t most_loops, double greatest_length, double minimum_angle,
@@ -392,7 +393,7 @@ std::vector<std::vector<Arc>> held_loops_of_levels(const Prepared_surface<Triang
     const Level_loop& loop = level_loops[i];
     if(loops.size() >= maximum_number &&
        loop.length * (1 - greatest_shrinkage) - 2 * loop.distance > total_length(loops[maximum_number - 1]))
-      continue; // others may be nearer to the location
+      continue; // a longer one may be held further from the location, and shrink by more
     const std::vector<Index> path = to_input(loop);
     if(path.size() > 2)
       insert(path);

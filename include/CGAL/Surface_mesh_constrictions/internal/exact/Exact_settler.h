@@ -383,7 +383,8 @@ private:
     return strip.corner(side, foremost_portal(prover, strip.crossings(), side, rotation != 0));
   }
 
-  // False if the shortest loop through a corner is not the shortest curve of the strip.
+  // False if the shortest loop through a corner is not the shortest curve of the strip, or is a point, or cannot be
+  // found because a tie is not proved.
   bool pull_from(const Closed_strip& strip, const Closed_strip::Corner& corner, Exact_curve& loop)
   {
     loop.clear();

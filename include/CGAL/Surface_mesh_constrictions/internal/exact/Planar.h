@@ -39,9 +39,9 @@ private:
 };
 
 // Over intervals a point or vector is a disc instead of a box. A box grows each time it is turned, and is of no use in
-// a long strip. The radius of a product of discs, relative to the distance of the disc from the origin, is no more than
-// the sum of these relative radii of the factors. The rounding mode is upward, as Interval_nt<false> needs; the bounds
-// hold in any rounding mode.
+// a long strip. The radius of a product of discs, relative to the distance of the disc from the origin, is hardly
+// more than the sum of these relative radii of the factors. The rounding mode is upward, as Interval_nt<false> needs;
+// the bounds hold in any rounding mode.
 template <>
 class Planar<Interval_nt<false>>
 {
