@@ -227,7 +227,7 @@ TEST_F(Girth, along_an_axis_it_is_that_of_a_plane_section)
   ASSERT_EQ(both["sections"].size(), 2u);
   EXPECT_NEAR(both["sections"][0]["length"], 4, 1e-12);
   EXPECT_EQ(both["sections"][1]["kind"], "point");
-  EXPECT_EQ(both["landmarks"][0]["constrictions"], json({0}));
+  EXPECT_EQ(both["landmarks"][0]["constrictions"], json::array({0}));
   EXPECT_EQ(both["landmarks"][1]["hint"], "The plane through this place only touches the surface.");
 }
 
