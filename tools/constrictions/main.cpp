@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -539,12 +540,36 @@ int report_failure(const Options& options)
   return unusable_input;
 }
 
+const char* const memory_message = "constrictions: not enough memory\n";
+
+std::terminate_handler handler_of_other_exceptions = nullptr;
+
+// Ends the process where memory is used up and the exception cannot leave: the destructor of a JSON value allocates.
+[[noreturn]] void end_without_memory()
+{
+  if(std::current_exception() != nullptr)
+    try
+    {
+      throw;
+    }
+    catch(const std::bad_alloc&)
+    {
+      std::fputs(memory_message, stderr);
+      std::_Exit(1);
+    }
+    catch(...)
+    {}
+  handler_of_other_exceptions();
+  std::abort();
+}
+
 } // namespace
 
 } // namespace constrictions
 
 int main(int argc, char** argv)
 {
+  constrictions::handler_of_other_exceptions = std::set_terminate(&constrictions::end_without_memory);
   constrictions::fail_beyond_limit_of_file_sizes(); // and tell of it
   constrictions::Options options;
   try
@@ -580,7 +605,7 @@ int main(int argc, char** argv)
     }
     catch(const std::bad_alloc&) // nor for the message
     {
-      std::fputs("constrictions: not enough memory\n", stderr);
+      std::fputs(constrictions::memory_message, stderr);
       return 1;
     }
   }

@@ -34,7 +34,7 @@ Batch_line begin_of_line(const std::string& file, const char* status)
 // The last words of a process that ends where memory is allocated and an exception cannot leave.
 bool is_about_memory(const std::string& words)
 {
-  for(const char* part : {"allocate memory", "bad_alloc"})
+  for(const char* part : {"allocate memory", "bad_alloc", "not enough memory"})
     if(words.find(part) != std::string::npos)
       return true;
   return false;
