@@ -16,6 +16,7 @@
 #   fuzz                                an hour of fuzzing against the oracle
 #   threads                             the tests of concurrency with ThreadSanitizer
 #   headers                             every header compiles on its own
+#   examples                            each example compiles on its own, which .ci/run compiles together, and runs
 #   meshes                              all of CGAL's meshes but a point cloud are answered, each curve certified; prints
 #                                       the tables of the manual
 #   selection                           the default call selects what is selected of all, on all of CGAL's meshes of up
@@ -29,9 +30,11 @@
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-[ $# -gt 0 ] || set -- headers meshes selection curves completeness stability coverage \
+[ $# -gt 0 ] || set -- headers examples meshes selection curves completeness stability coverage \
   mutation-{certificate,tightening,verification} configurations arithmetic faults fuzz threads
 mkdir -p build/nightly
+# scripts/test.sh or another step may have configured the same folder for something else.
+whole=(-DWITH_{TOOLS,EXAMPLES,LONG_TESTS,TEST_PROGRAMS}=ON -DWITH_QUICK_COMPILATION=OFF -DCONSTRICTIONS_TEST_PREFIX=)
 
 run() { # STEP
   case $1 in
@@ -46,7 +49,7 @@ run() { # STEP
       ;;
     arithmetic) scripts/check_arithmetic.sh ;;
     faults)
-      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&
         cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 3900)" --target test_parts test_tools &&
         CONSTRICTIONS_ALL_FAULTS=1 ctest --preset release -R 'Faults|AllocationFailures' --parallel "$(nproc)" \
           --timeout 20000
@@ -54,36 +57,41 @@ run() { # STEP
     fuzz) scripts/fuzz.sh 60 ;;
     threads) scripts/check_threads.sh ;;
     headers)
-      scripts/setup.sh && cmake --preset release -DWITH_TOOLS=OFF -DWITH_PYTHON=OFF -DWITH_EXAMPLES=OFF \
-        -DWITH_TEST_PROGRAMS=OFF &&
+      scripts/setup.sh && cmake --preset release "${whole[@]}" -DWITH_TOOLS=OFF -DWITH_PYTHON=OFF -DWITH_EXAMPLES=OFF \
+        -DWITH_TEST_PROGRAMS=OFF -DWITH_HEADER_CHECK=ON &&
         cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 2000)" \
           --target public_headers_compile_alone --target internal_headers_compile_alone
       ;;
+    examples)
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&
+        make -C build/release/examples/Surface_mesh_constrictions -j "$(scripts/number_of_jobs.sh 2200)" &&
+        ctest --preset release -R '^example\.'
+      ;;
     meshes)
-      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&
         cmake --build --preset release --target constrictions &&
         scripts/check_meshes.py build/release/tools/constrictions/constrictions data/meshes --time-limit 3600 \
           --least 142
       ;;
     selection)
-      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&
         cmake --build --preset release --target selection_of_all &&
         build/release/test/selection_of_all/selection_of_all --most-faces 60000 data/meshes/*.off
       ;;
     curves)
-      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&
         cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 3900)" \
           --target test_certificates test_detection &&
         CONSTRICTIONS_ALL_CURVES=1 ctest --preset release -R 'Certificates/|Real_meshes' --parallel "$(nproc)"
       ;;
     completeness)
-      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&
         cmake --build --preset release --target completeness &&
         build/release/test/completeness/completeness --bodies 32 --walks 390 750 --missed 1150 --separating 5 \
           data/meshes/*.off
       ;;
     stability)
-      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release &&
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&
         cmake --build --preset release --target stability &&
         build/release/test/stability/stability --lost 45 \
           data/meshes/{anchor,cactus,camel,cow,dino,eight,elephant,homer,knot1,mushroom,pig,spool}.off

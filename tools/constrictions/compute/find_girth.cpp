@@ -93,7 +93,7 @@ std::string add_section(const SMC::Plane_section<Mesh>& section, bool certifies,
     break;
   }
   if(!section.loop)
-    return "The section through this place shrinks to a point when it is tightened.";
+    return "The section through this place becomes no simple loop when it is tightened; it may shrink to a point.";
   report.sections.back().curve = report.constrictions.size();
   add_loops({*section.loop}, certifies, report);
   return "";
