@@ -42,10 +42,11 @@ inline Mesh mesh_of(const Body& body)
   return mesh;
 }
 
-// How many curves were compared, and how.
+// How many curves were compared, and how, and on how many meshes the default call was compared with the selection of
+// all.
 struct Tally
 {
-  std::size_t meshes = 0, certified = 0, refused = 0, open = 0;
+  std::size_t meshes = 0, certified = 0, refused = 0, open = 0, compared_selections = 0;
 };
 
 // Certificates of curves on a body, and what the oracle says of them.

@@ -48,8 +48,8 @@ struct Hierarchy_entry
 };
 
 // A curve that cannot become shorter has no barrier. How long it is when its two swept sides meet depends on where it
-// lies. So that equal holes are equally prominent, all curves of about the same length get the least of these values.
-// Lengths and entries are in the same order.
+// lies. So that equal holes are equally prominent, all curves of about the same length get the least of these values,
+// but none less than its own length. Lengths and entries are in the same order.
 inline void level_endless(const std::vector<double>& lengths, std::vector<Hierarchy_entry>& entries)
 {
   std::vector<Index> order = by_length(lengths);
@@ -60,7 +60,7 @@ inline void level_endless(const std::vector<double>& lengths, std::vector<Hierar
     for(end = begin; end < order.size() && lengths[order[end]] <= lengths[order[begin]] * (1 + alike_tolerance); ++end)
       least = (std::min)(least, (1 + entries[order[end]].prominence) * lengths[order[end]]);
     for(std::size_t i = begin; i < end; ++i)
-      entries[order[i]].prominence = least / lengths[order[i]] - 1;
+      entries[order[i]].prominence = prominence_of_barrier(least, lengths[order[i]]);
   }
 }
 

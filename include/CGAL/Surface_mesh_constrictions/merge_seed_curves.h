@@ -50,6 +50,10 @@ struct Merging_parameters
   /// `parameters::crossing_constrictions()`; without a least prominence all are. Where many bumps stand side by side
   /// there are thousands of such copies.
   bool crossing = true;
+  /// on T^0 all curves are kept, whatever the bounds say, if sweeping the whole surface from each of them takes no more
+  /// faces than this. Then the hierarchy costs little, and what is selected from it is what is selected of all
+  /// constrictions.
+  std::size_t most_swept_faces = 0;
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
@@ -151,7 +155,8 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& 
   };
   const Progressive_mesh& surface = level_copy.surface();
   const internal::Surface_sides sides(surface);
-  if(parameters.maximum_isoperimetric_ratio < (std::numeric_limits<double>::infinity)())
+  const bool may_keep_all = level == 0 && parameters.most_swept_faces > 0;
+  if(!may_keep_all && parameters.maximum_isoperimetric_ratio < (std::numeric_limits<double>::infinity)())
   {
     const std::vector<std::size_t> promising = internal::paths_asked_for<ConcurrencyTag>(
         paths.size(), path_on_copy, surface, sides, parameters.maximum_isoperimetric_ratio);
@@ -175,9 +180,10 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& 
     seeds.push_back(paths.back().curve);
     return paths.size() - 1;
   };
-  const std::vector<Index> asked =
-      internal::curves_asked_for<ConcurrencyTag>(network, sides, parameters.maximum_isoperimetric_ratio,
-                                                 parameters.minimum_prominence, parameters.crossing, add_seed);
+  std::vector<Index> asked = internal::curves_of_network(network);
+  if(!may_keep_all || asked.size() * surface.number_of_face_ids() > parameters.most_swept_faces)
+    asked = internal::curves_asked_for<ConcurrencyTag>(network, sides, parameters.maximum_isoperimetric_ratio,
+                                                       parameters.minimum_prominence, parameters.crossing, add_seed);
   for(Index c = 0; c < network.number_of_curve_ids(); ++c)
   {
     if(network.is_empty(c))

@@ -113,16 +113,18 @@ TEST(MergeSeedCurves, OnTheInputOneSeedIsKeptOfThoseThatMeet)
   EXPECT_EQ(all_seeds(merged).size(), seeds.size());
 }
 
-// Around the tube, around the hole, and around both: the last is composed of the other two, which it crosses.
-TEST(MergeSeedCurves, WhatIsComposedOfShorterOnesIsKeptOnlyIfAskedFor)
+// Around the tube, around the hole, and around both: the last is composed of the other two, which it crosses. Of a mesh
+// that has few curves it is kept, too.
+TEST(MergeSeedCurves, WhatIsComposedOfShorterOnesIsKeptOnlyIfAskedForOrIfThereAreFew)
 {
   SMC::Progressive_mesh pm = simplified(test_meshes::torus(0.2, 7, 20, 12));
   std::vector<SMC::Seed_curve> seeds = cut_locus_loops(pm, 0);
   const SMC::internal::Surface_cycles cycles(pm);
-  const auto kept_classes = [&](bool crossing) {
+  const auto kept_classes = [&](bool crossing, std::size_t most_swept_faces = 0) {
     SMC::Merging_parameters parameters;
     parameters.minimum_prominence = 0.01;
     parameters.crossing = crossing;
+    parameters.most_swept_faces = most_swept_faces;
     std::vector<SMC::Merged_seed> merged;
     SMC::merge_seed_curves(pm, seeds, 0, parameters, std::back_inserter(merged));
     EXPECT_EQ(all_seeds(merged).size(), seeds.size());
@@ -134,6 +136,8 @@ TEST(MergeSeedCurves, WhatIsComposedOfShorterOnesIsKeptOnlyIfAskedFor)
   };
   EXPECT_EQ(kept_classes(true).size(), 3u);
   EXPECT_EQ(kept_classes(false).size(), 2u);
+  EXPECT_EQ(kept_classes(false, 1000000).size(), 3u);
+  EXPECT_EQ(kept_classes(false, 1000).size(), 2u);
 }
 
 TEST(CrossingFilter, ACurveThatCrossesManyShorterOnesDoesNotPass)

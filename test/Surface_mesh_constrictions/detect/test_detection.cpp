@@ -270,7 +270,7 @@ TEST(Detection, SeveralPoliciesFindWhatEachOfThemFinds)
 
 TEST(Detection, EverySeedIsAccountedForWhenSomeAreDiscardedEarly)
 {
-  for(const test_meshes::Soup& soup : {test_meshes::torus(0.15, 4), test_meshes::dumbbell(0.1, 3, 60, 40)})
+  for(const test_meshes::Soup& soup : {test_meshes::torus(0.15, 4, 60, 20), test_meshes::dumbbell(0.1, 3, 60, 40)})
   {
     SMC::Detection_statistics s;
     std::vector<Constriction> result;
@@ -280,6 +280,28 @@ TEST(Detection, EverySeedIsAccountedForWhenSomeAreDiscardedEarly)
     EXPECT_EQ(s.not_certified, 0u);
     EXPECT_EQ(s.seeds + s.barriers,
               s.degenerate + s.discarded + s.not_simple + s.merged + s.not_selected + result.size());
+  }
+}
+
+TEST(Detection, OfASmallMeshNoSeedIsDiscardedAndTheSelectionIsThatOfAll)
+{
+  for(const test_meshes::Soup& soup : {test_meshes::torus(0.15, 4, 10, 6), test_meshes::torus(0.15, 4, 12, 8)})
+  {
+    const Mesh mesh = test_meshes::make_mesh(soup);
+    SMC::Detection_statistics s;
+    std::vector<Constriction> result, all, selected;
+    SMC::detect_constrictions(mesh, std::back_inserter(result), CGAL::parameters::visitor(Statistics_taker(s)));
+    SMC::detect_constrictions(mesh, std::back_inserter(all), SMC::parameters::all_constrictions(true));
+    SMC::select_by_prominence(all, std::back_inserter(selected));
+    EXPECT_EQ(s.discarded, 0u);
+    EXPECT_GT(all.size(), selected.size());
+    ASSERT_EQ(result.size(), selected.size());
+    EXPECT_FALSE(result.empty());
+    for(std::size_t i = 0; i < result.size(); ++i)
+    {
+      EXPECT_EQ(result[i].length(), selected[i].length());
+      EXPECT_EQ(result[i].prominence(), selected[i].prominence());
+    }
   }
 }
 

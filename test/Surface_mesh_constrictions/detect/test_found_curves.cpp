@@ -20,11 +20,12 @@ using namespace CGAL::Surface_mesh_constrictions;
 using test_meshes::Position;
 using test_meshes::Soup;
 
-// Stands for an Exact_settler: says the same of every curve, and may degenerate it.
+// Stands for an Exact_settler: says the same of every curve, and may degenerate it. Notes the pivot that it names.
 struct Settler_that_says
 {
   Certificate_verdict verdict;
   bool degenerates;
+  Index* named;
 
   Certificate settle(internal::Curve_network& network, Index c)
   {
@@ -33,6 +34,8 @@ struct Settler_that_says
       std::vector<internal::Arc> none;
       network.set_arcs(c, none);
     }
+    else
+      *named = internal::arcs_of_curve(network, c)[1].from;
     Certificate result;
     result.verdict = verdict;
     result.location = 1;
@@ -50,6 +53,7 @@ struct Tube
   std::vector<Refined_curve> refined;
   std::vector<internal::Found_curve> found;
   Detection_statistics statistics;
+  Index named = null_index; // by the certificate
 
   // `x` and the cells that the square at x encloses: 1 is the tube, 3 the belt of a box.
   Tube(double x, double low, double high)
@@ -81,7 +85,7 @@ struct Tube
     internal::certify_found<CGAL::Sequential_tag>(
         network,
         [&] {
-          return Settler_that_says{verdict, degenerates};
+          return Settler_that_says{verdict, degenerates, &named};
         },
         internal::Coordinate_unit(), keeps_open, refined, found, statistics, [](std::size_t) {});
   }
@@ -97,6 +101,7 @@ TEST(FoundCurves, WhatIsOpenStaysWithTheReasonUnlessOnlyCertifiedOnesAreAskedFor
     ASSERT_EQ(kept.found.size(), 1u);
     EXPECT_EQ(kept.found[0].certificate.verdict, verdict);
     EXPECT_EQ(kept.found[0].certificate.location, 1u);
+    EXPECT_EQ(internal::arcs_of_curve(kept.network, kept.found[0].curve)[1].from, kept.named);
     EXPECT_NEAR(kept.found[0].length, 4, 1e-12);
     EXPECT_EQ(kept.statistics.not_certified, 0u);
 

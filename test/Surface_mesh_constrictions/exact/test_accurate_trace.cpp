@@ -156,6 +156,31 @@ TEST(AccurateTrace, EdgesNearlyParallelToTheLine)
   EXPECT_GT(worst_in_doubles, 0.01); // or the test would be too easy
 }
 
+// The edges reach far beyond the arc on both sides.
+TEST(AccurateTrace, LengthsOfArcsThatCrossFarLongerEdges)
+{
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform(0.01, 1);
+  double worst_in_doubles = 0;
+  for(std::size_t n : {2u, 9u, 60u})
+    for(double height : {1., 1e6, 1e12})
+    {
+      std::vector<double> below, above;
+      for(std::size_t i = 0; i < n; ++i)
+      {
+        below.push_back(height * uniform(random));
+        above.push_back(height * uniform(random));
+      }
+      const Band band(n, below, above, 1);
+      const SMC::Progressive_mesh pm = test_meshes::make_progressive(band.soup);
+      const Arc arc = band.arc(pm);
+      const double length = static_cast<double>(n + 2);
+      EXPECT_NEAR(SMC::internal::accurate_length(pm, arc), length, 1e-15 * length);
+      worst_in_doubles = (std::max)(worst_in_doubles, std::abs(arc.length / length - 1));
+    }
+  EXPECT_GT(worst_in_doubles, 1e-6); // or the test would be too easy
+}
+
 // Numbers of 106 bits do not do for these: what is returned is computed with more, and the bound of the error knows it.
 TEST(AccurateTrace, TheBoundOfTheErrorAsksForMoreDigits)
 {

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -232,6 +233,21 @@ TEST(Prominence, WhereTwoSidesMeetTheEndOfTheDomainStays)
     const double d = scale.level(k);
     EXPECT_NEAR(lengths.length(k), (d <= 1 ? d : 1) * std::sqrt(5.), 1e-4) << d;
   }
+}
+
+// Of two holes of nearly the same length the shorter one may be the less prominent one by less than they differ.
+TEST(LevelEndless, NoneIsLessProminentThanItsLengthAllows)
+{
+  namespace internal = SMC::internal;
+  const std::vector<double> lengths = {1, 1.0005, 2};
+  std::vector<internal::Hierarchy_entry> entries(3);
+  const std::vector<double> prominences = {0.0001, 0.5, 0.25};
+  for(std::size_t i = 0; i < 3; ++i)
+    entries[i] = {prominences[i], std::nullopt, SMC::null_index, false};
+  internal::level_endless(lengths, entries);
+  EXPECT_NEAR(entries[0].prominence, 0.0001, 1e-15);
+  EXPECT_EQ(entries[1].prominence, 0);
+  EXPECT_NEAR(entries[2].prominence, 0.25, 1e-15);
 }
 
 } // namespace test_prominence

@@ -137,6 +137,16 @@ void add_prominent_curves(Curve_network& network, std::vector<Index> curves,
   }
 }
 
+// The numbers of the curves of a network. Ascending.
+inline std::vector<Index> curves_of_network(const Curve_network& network)
+{
+  std::vector<Index> result;
+  for(Index c = 0; c < network.number_of_curve_ids(); ++c)
+    if(!network.is_empty(c))
+      result.push_back(c);
+  return result;
+}
+
 // The closed geodesics of a level that may be selected, as far as this level tells: those of at most this isoperimetric
 // ratio and at least this prominence, and, unless `with_crossing`, only those that pass a `Crossing_filter`. Curves
 // that are not simple here may be simple on a finer level, and are kept. Curves may be added, see
@@ -147,10 +157,8 @@ std::vector<Index> curves_asked_for(Curve_network& network, const Surface_sides&
                                     const AddSeed& add_seed)
 {
   const Progressive_mesh& pm = network.surface();
-  std::vector<Index> all, result, simple;
-  for(Index c = 0; c < network.number_of_curve_ids(); ++c)
-    if(!network.is_empty(c))
-      all.push_back(c);
+  const std::vector<Index> all = curves_of_network(network);
+  std::vector<Index> result, simple;
   const bool any_ratio = maximum_isoperimetric_ratio == (std::numeric_limits<double>::infinity)();
   if(any_ratio && minimum_prominence <= 0)
     return all;

@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Closed_path_tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Prepared_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/found_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/make_canonical.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Level_with_location.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/held_loops.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
@@ -323,6 +324,7 @@ private:
     }
     Tightening_verdict verdict = m_settler.settle(c);
     double band_width = m_settler.band_width();
+    make_canonical(m_network, c);
     if(verdict == Tightening_verdict::NOT_SIMPLE && m_selection.certifies)
       verdict = Tightening_verdict::CLOSED_GEODESIC; // it may be corrected
     else if(verdict == Tightening_verdict::CLOSED_GEODESIC && !is_asked_for(c, band_width))
@@ -334,6 +336,8 @@ private:
     {
       m_distinct.remove(c); // it may be changed
       certificate = m_exact_settler.settle(m_network, c);
+      if(certificate.is_certified()) // others name places of the curve
+        make_canonical(m_network, c);
       m_statistics.signs = m_statistics.signs + certificate.signs;
       band_width = m_prepared.imported().unit().divided(certificate.flat_band_width);
       verdict = tightening_verdict(certificate, m_network.is_empty(c));

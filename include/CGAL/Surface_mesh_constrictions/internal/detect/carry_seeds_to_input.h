@@ -36,6 +36,10 @@ constexpr double coarse_isoperimetric_factor = 1.2;
 // More seeds would lead to more constrictions that hardly differ, of which one is selected.
 constexpr std::size_t kept_for_selection = 4;
 
+// On a small mesh with few curves all of them are kept, so that exactly those are selected that are selected of all. More
+// curves of larger meshes cost too much: each is certified, and its prominence is measured.
+constexpr std::size_t most_swept_faces = 20000;
+
 // Parameters that carry the seeds which may lead to curves that the named parameters select.
 template <class NamedParameters>
 Carrying_parameters carrying_parameters(const NamedParameters& np)
@@ -54,6 +58,7 @@ Carrying_parameters carrying_parameters(const NamedParameters& np)
   result.merging.minimum_prominence = (std::min)(prominence, default_minimum_prominence) * coarse_prominence_factor;
   result.merging.maximum_isoperimetric_ratio = ratio * coarse_isoperimetric_factor;
   result.merging.crossing = choose_parameter(get_parameter(np, internal_np::crossing_constrictions), false);
+  result.merging.most_swept_faces = most_swept_faces;
   return result;
 }
 
@@ -80,6 +85,7 @@ struct Seeds_on_input
   std::vector<Seed_curve> seeds;
   std::vector<Refined_curve> refined;
   std::size_t collapses = 0;
+  bool is_complete = true; // whether these are all curves of T^0 that the seeds lead to
 
   // Appends the seeds that the refined curves from `first` on know by their numbers among these.
   void number_seeds(std::size_t first, std::vector<Seed_curve> added)
@@ -100,7 +106,11 @@ void carry_unstraightened(Progressive_mesh& pm, std::vector<Seed_curve> seeds, c
   visitor.on_stage_begin(Detection_stage::REFINEMENT, pm.number_of_collapses());
   const std::size_t first = all.refined.size();
   Refinement_progress<Visitor> progress(visitor, pm.number_of_collapses());
-  carry_seed_curves<ConcurrencyTag>(pm, seeds, carrying_parameters(np), std::back_inserter(all.refined), progress);
+  const Carrying_parameters parameters = carrying_parameters(np);
+  carry_seed_curves<ConcurrencyTag>(pm, seeds, parameters, std::back_inserter(all.refined), progress);
+  all.is_complete = all.is_complete && pm.level_with(parameters.merging_vertices) == 0 &&
+                    std::none_of(all.refined.begin() + static_cast<std::ptrdiff_t>(first), all.refined.end(),
+                                 [](const Refined_curve& r) { return r.is_discarded; });
   all.number_seeds(first, std::move(seeds));
   visitor.on_stage_end(Detection_stage::REFINEMENT);
 }
@@ -140,6 +150,7 @@ Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, cons
     carry_unstraightened<ConcurrencyTag>(pm, std::move(seeds), np, visitor, all);
     return pm;
   }
+  all.is_complete = false;
   visitor.on_stage_begin(Detection_stage::REFINEMENT, pm.number_of_collapses());
   const std::size_t first = all.refined.size();
   Refinement_progress<Visitor> progress(visitor, pm.number_of_collapses());

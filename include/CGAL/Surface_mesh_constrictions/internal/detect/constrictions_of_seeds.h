@@ -64,7 +64,7 @@ constrictions_of_seeds(const Imported_mesh<TriangleMesh>& imported, const Progre
   std::vector<Found_curve> found =
       tighten_refined<ConcurrencyTag>(network, refined, certifies, statistics,
                                       [&visitor](std::size_t i) { visitor.on_step(Detection_stage::TIGHTENING, i); });
-  if(!selects_all)
+  if(!selects_all && !carried.is_complete) // of a complete hierarchy those that are too long are part
     statistics.not_selected += drop_too_long<ConcurrencyTag>(network, sides, maximum_ratio, with_rims, found);
   visitor.on_stage_end(Detection_stage::TIGHTENING);
 

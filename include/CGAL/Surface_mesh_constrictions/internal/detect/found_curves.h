@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/boundary_share.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/coincidence.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/make_canonical.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Group.h>
@@ -85,6 +86,7 @@ std::vector<Found_curve> tighten_refined(Curve_network& network, const std::vect
       its_network.set_arcs(c, arcs);
       settled.verdict = settler.settle(c);
       settled.band_width = settler.band_width();
+      make_canonical(its_network, c);
       settled.arcs = arcs_of_curve(its_network, c);
       its_network.remove(c);
     }
@@ -244,6 +246,8 @@ void certify_found(Curve_network& network, const MakeSettler& make_settler, cons
       std::vector<Arc> arcs = arcs_of_curve(network, found[i].curve);
       its_network.set_arcs(c, arcs);
       group.result.certificates.push_back(settler.settle(its_network, c));
+      if(group.result.certificates.back().is_certified()) // others name places of the curve
+        make_canonical(its_network, c);
       group.result.arcs.push_back(arcs_of_curve(its_network, c));
       its_network.remove(c);
     }

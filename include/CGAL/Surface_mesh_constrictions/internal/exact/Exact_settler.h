@@ -74,6 +74,13 @@ public:
       renumber(curve);
       finding = m_certifier.examine(curve, known);
     }
+    if(is_changed && !curve.empty() && !finding.certificate.is_certified())
+    {
+      // the step that was not possible may have turned the curve
+      renumber(curve);
+      known.assign(curve.size(), Known_of_arc());
+      finding = m_certifier.examine(curve, known);
+    }
     signs = signs + (m_certifier.prover().statistics() - before);
     if(curve.empty())
     {

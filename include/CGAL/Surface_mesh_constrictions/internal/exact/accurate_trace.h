@@ -43,11 +43,12 @@ struct Multiprecision
   static NT difference(double a, double b) { return NT(a) - NT(b); }
 };
 
-// Where the straight line from the start to the end of an arc meets each crossed halfedge.
+// Where the straight line from the start to the end of an arc meets each crossed halfedge, and how long it is.
 struct Crossing_parameters
 {
   std::vector<double> values; // in [0, 1]
-  bool are_accurate;          // whether the error of each is proved to be no more than some roundings of 1
+  double length;
+  bool are_accurate; // whether the error of each is proved to be no more than some roundings of 1
 };
 
 template <class Precision, class Vector>
@@ -172,7 +173,9 @@ Crossing_parameters accurate_parameters(const Progressive_mesh& pm, const Arc& a
     sum += size(edge);
   }
 
-  Crossing_parameters result = {{}, is_in_range};
+  using std::sqrt;
+  const NT squared_length = square * (end.x() * end.x() + end.y() * end.y());
+  Crossing_parameters result = {{}, static_cast<double>(NT(sqrt(squared_length))), is_in_range};
   for(const Unfolded& p : portals)
   {
     const NT to_right = -determinant(end, p.right), to_left = determinant(end, p.left);
@@ -187,10 +190,17 @@ Crossing_parameters accurate_parameters(const Progressive_mesh& pm, const Arc& a
   return result;
 }
 
+// The parameters and the length of an arc with crossings, by numbers of 106 bits and, where the bound of their error
+// says that these are not enough, by numbers of 300 digits. The caller has set the rounding mode to nearest. Linear.
+inline Crossing_parameters accurate_parameters(const Progressive_mesh& pm, const Arc& arc)
+{
+  Crossing_parameters parameters = accurate_parameters<Double_double_precision>(pm, arc);
+  return parameters.are_accurate ? parameters : accurate_parameters<Multiprecision>(pm, arc);
+}
+
 // Like trace(), but the errors of the parameters are some roundings of 1 also where the curve meets edges at the
-// smallest of angles, and after any number of faces. Computes with numbers of 106 bits and, where the bound of their
-// error says that these are not enough, with numbers of 300 digits, whatever rounding mode the caller has set. Linear;
-// three to nine times the cost of trace().
+// smallest of angles, and after any number of faces, whatever rounding mode the caller has set. Linear; three to nine
+// times the cost of trace().
 inline std::vector<Trace_point> accurate_trace(const Progressive_mesh& pm, const std::vector<Arc>& curve)
 {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
@@ -200,13 +210,21 @@ inline std::vector<Trace_point> accurate_trace(const Progressive_mesh& pm, const
     result.push_back({arc.from, null_index, 0});
     if(arc.is_edge())
       continue;
-    Crossing_parameters parameters = accurate_parameters<Double_double_precision>(pm, arc);
-    if(!parameters.are_accurate)
-      parameters = accurate_parameters<Multiprecision>(pm, arc);
+    const Crossing_parameters parameters = accurate_parameters(pm, arc);
     for(std::size_t i = 0; i < arc.crossings.size(); ++i)
       result.push_back({null_index, arc.crossings[i], parameters.values[i]});
   }
   return result;
+}
+
+// The length of an arc to some roundings, also where it crosses edges that are far longer than itself, in whose
+// unfolded ends measure() loses digits. Costs as much as accurate_trace().
+inline double accurate_length(const Progressive_mesh& pm, const Arc& arc)
+{
+  if(arc.is_edge())
+    return arc.length;
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  return accurate_parameters(pm, arc).length;
 }
 
 } // namespace internal
