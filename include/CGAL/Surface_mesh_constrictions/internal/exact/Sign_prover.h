@@ -75,8 +75,8 @@ public:
   const Surface& surface() const { return m_surface; }
   const Sign_statistics& statistics() const { return m_statistics; }
 
-  // Begins a new curve. The signs of one curve have a common budget for coefficients that are long: else a curve among
-  // subnormal coordinates, which may ask for thousands of signs, would take hours.
+  // Begins a new curve. All signs of a curve have one budget for coefficients that are long: its correction may ask for
+  // hundreds of signs, and if each had a budget of its own a curve among subnormal coordinates would take minutes.
   void begin_curve() { m_length_budget = Length_budget(); }
 
   // The signs of n values. `expression(arithmetic, values)` sets the values that are wanted. It is called with
