@@ -195,6 +195,53 @@ TEST(CertificateModels, DetectorCorrectsWhatRoundingCannotSee)
   }
 }
 
+// Two boxes and a tube with corners at zero, where each coordinate that is zero is moved by what move(axis) gives.
+template <class Move>
+Mesh tube_near_zero(const Move& move)
+{
+  Soup soup = test_meshes::boxes_with_tube(4);
+  for(Position& p : soup.points)
+  {
+    p[1] -= 1;
+    p[2] -= 1;
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      if(p[axis] == 0)
+        p[axis] = move(axis);
+  }
+  return test_meshes::make_mesh(soup);
+}
+
+// Coordinates near 1 and subnormal ones together make exact numbers of thousands of digits.
+TEST(CertificateModels, TiesAreProvedWhereCoordinatesAreSubnormal)
+{
+  const Position moves = {{std::numeric_limits<double>::denorm_min(), 1e-310, 2.5e-309}};
+  const auto found = detect_all(tube_near_zero([&](std::size_t axis) { return moves[axis]; }));
+  ASSERT_FALSE(found.empty());
+  for(const auto& c : found)
+    EXPECT_TRUE(c.certificate().is_certified()) << c.certificate();
+  EXPECT_EQ(found[0].certificate().verdict, Certificate_verdict::CONSTRICTION) << "the sides of the tube are flat";
+  EXPECT_NEAR(found[0].length(), 4, 4e-12);
+  EXPECT_NEAR(found[0].flat_band_width(), 4, 4e-12);
+}
+
+TEST(CertificateModels, WhereEachCoordinateIsSubnormalInItsOwnWayTheSearchEndsAndTellsWhatStaysOpen)
+{
+  const std::vector<double> moves = {0, std::numeric_limits<double>::denorm_min(), 1e-310, 2.5e-309};
+  unsigned state = 1;
+  const auto found = detect_all(tube_near_zero([&](std::size_t) {
+    state = state * 1103515245 + 12345;
+    return (state >> 18) % 2 == 0 ? -moves[(state >> 16) % 4] : moves[(state >> 16) % 4];
+  }));
+  bool has_neck = false;
+  for(const auto& c : found)
+  {
+    has_neck = has_neck || (c.certificate().is_certified() && std::abs(c.length() - 4) < 4e-12);
+    EXPECT_TRUE(c.certificate().is_certified() || c.certificate().verdict == Certificate_verdict::TIE_NOT_PROVED)
+        << c.certificate();
+  }
+  EXPECT_TRUE(has_neck);
+}
+
 TEST(CertificateModels, RationalPointsThatAreNoDoublesAreTakenExactly)
 {
   // turned by a rational rotation: all ties stay ties, but are none after a rounding to doubles

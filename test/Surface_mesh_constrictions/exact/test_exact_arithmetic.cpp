@@ -139,7 +139,8 @@ TEST(SquareRootBasis, MoreThan64ClassesAreTooMany)
 struct RootsOfSix : public ::testing::Test
 {
   Square_root_basis basis = Square_root_basis({2, 3, 6});
-  Radical_field field = Radical_field(basis.basis());
+  Length_budget budget;
+  Radical_field field = Radical_field(basis.basis(), budget);
 
   Radical_number radical(int r) { return Radical_number(basis.root(r).coefficient, basis.root(r).mask, field); }
   Radical_number radical_integer(int n) { return Radical_number(n, 0, field); }
@@ -175,6 +176,39 @@ TEST_F(RootsOfSix, TooManyStepsAreGivenUp)
 {
   field.steps_left = 3;
   EXPECT_THROW((radical(2) + radical(3)) * (radical(2) + radical(3)), Too_many_terms);
+}
+
+TEST_F(RootsOfSix, LongCoefficientsTakeMoreSteps)
+{
+  const auto length = [this](const Radical_number& x, const Radical_number& y, const auto& operation) {
+    const std::size_t before = budget.steps_left, left = field.steps_left;
+    operation(x, y);
+    EXPECT_GE(left - field.steps_left, before - budget.steps_left);
+    return before - budget.steps_left;
+  };
+  const auto times = [](const Radical_number& x, const Radical_number& y) { return x * y; };
+  const auto plus = [](const Radical_number& x, const Radical_number& y) { return x + y; };
+  const auto minus = [](const Radical_number& x, const Radical_number& y) { return x - y; };
+  // as long as a product of a dozen coordinates near 1 and a dozen that are subnormal
+  const Rational thousands = 1 + 1 / Rational(Integer(1) << 12 * 1074);
+  const Radical_number long_one(thousands, 0, field), long_root(thousands, 1, field);
+  const std::size_t long_product = length(long_one, long_one, times);
+  EXPECT_GT(long_product, 100u);
+  EXPECT_EQ(length(long_one, long_one, plus), long_product);
+  EXPECT_EQ(length(long_one, long_one, minus), long_product);
+  EXPECT_EQ(length(long_one, long_root, plus), 0u) << "nothing is added";
+  EXPECT_GT(length(long_root, long_root, times), long_product) << "the root squared is a factor";
+  EXPECT_EQ(length(radical(2), radical(3), times), 0u);
+
+  field.steps_left = long_product;
+  EXPECT_THROW(long_one * long_one, Too_many_terms);
+  field.steps_left = Radical_field::max_steps;
+  budget.steps_left = long_product - 1;
+  EXPECT_THROW(long_one * long_one, Too_many_terms);
+  EXPECT_THROW(long_one + long_one, Too_many_terms);
+  EXPECT_FALSE((radical(2) * radical(3)).is_zero()) << "short coefficients need no budget";
+  budget.steps_left = long_product;
+  EXPECT_FALSE((long_one * long_one).is_zero());
 }
 
 TEST(MultiprecisionInterval, EnclosesRootsAndProducts)

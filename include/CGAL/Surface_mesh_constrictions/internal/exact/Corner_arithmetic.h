@@ -280,8 +280,8 @@ class Radical_arithmetic
 public:
   typedef Radical_number NT;
 
-  Radical_arithmetic(Rational_corners<Surface>& corners, const Square_root_basis& basis)
-    : m_corners(corners), m_basis(basis), m_field(basis.basis())
+  Radical_arithmetic(Rational_corners<Surface>& corners, const Square_root_basis& basis, Length_budget& budget)
+    : m_corners(corners), m_basis(basis), m_field(basis.basis(), budget)
   {}
 
   Planar<NT> corner(typename Surface::Halfedge h) const

@@ -60,6 +60,7 @@ public:
   // examined anew.
   Certificate settle(Curve_network& network, Index c)
   {
+    m_certifier.prover().begin_curve();
     Exact_curve curve = exact_arcs<Surface>(arcs_of_curve(network, c));
     std::vector<Known_of_arc> known(curve.size());
     Finding<Surface> finding = m_certifier.examine(curve, known);
@@ -110,6 +111,7 @@ public:
   // one pivot that it is held at. Costs as much as settle().
   Certificate settle_path(std::vector<Arc>& path)
   {
+    m_certifier.prover().begin_curve();
     Exact_curve curve = exact_arcs<Surface>(path);
     std::vector<Known_of_arc> known(curve.size());
     Finding<Surface> finding = m_certifier.examine_path(curve, known);

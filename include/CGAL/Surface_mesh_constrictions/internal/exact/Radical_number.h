@@ -17,22 +17,81 @@ namespace internal {
 struct Too_many_terms
 {};
 
-// The field Q(sqrt b_1, ..., sqrt b_m) of the numbers of one computation, and the steps that it may still take.
+// The steps that several computations together may still take because their coefficients are long.
+struct Length_budget
+{
+  static constexpr std::size_t max_steps = 1 << 20;
+
+  std::size_t steps_left = max_steps;
+};
+
+// The field Q(sqrt b_1, ..., sqrt b_m) of the numbers of one computation, and the steps that it may still take. An
+// operation with coefficients takes more steps the longer they are. Doubles do not bound their length: if some
+// coordinates are near 1 and others subnormal, a square area has a thousand digits, and sums of quotients have many
+// more.
 struct Radical_field
 {
   static constexpr std::size_t max_steps = 1 << 18;
 
-  const std::vector<Integer>& basis;
   std::size_t steps_left = max_steps;
 
-  explicit Radical_field(const std::vector<Integer>& basis) : basis(basis) {}
+  // `budget` must outlive the field.
+  Radical_field(const std::vector<Integer>& basis, Length_budget& budget) : m_budget(budget)
+  {
+    for(const Integer& b : basis)
+      m_basis.push_back({b, words(b)});
+  }
 
+  // Throws Too_many_terms if so many products of short coefficients are more than the computation may still take.
   void take(std::size_t steps)
   {
     if(steps > steps_left)
       throw Too_many_terms();
     steps_left -= steps;
   }
+
+  // The steps that x * y, x + y and x - y take in addition if the coefficients are long: most of the time goes into
+  // common divisors, which take time in proportion to the product of the lengths.
+  void take_lengths(const Rational& x, const Rational& y) { take_lengths(words(x), words(y)); }
+
+  // x times the product of the b_i whose bits are set in `mask`.
+  void multiply_by_basis(Rational& x, std::uint64_t mask)
+  {
+    for(std::size_t i = 0; mask != 0; mask >>= 1, ++i)
+      if(mask & 1)
+      {
+        take_lengths(words(x), m_basis[i].words);
+        x *= m_basis[i].number;
+      }
+  }
+
+private:
+  static constexpr std::size_t words_of_step = 256; // lengths of 1024 bits, multiplied
+
+  struct Element
+  {
+    Integer number;
+    std::size_t words;
+  };
+
+  void take_lengths(std::size_t words_of_x, std::size_t words_of_y)
+  {
+    const std::size_t steps = words_of_x * words_of_y / words_of_step;
+    if(steps > m_budget.steps_left)
+      throw Too_many_terms();
+    take(steps);
+    m_budget.steps_left -= steps;
+  }
+
+  static std::size_t words(const Integer& n) { return mpz_size(n.backend().data()); }
+
+  static std::size_t words(const Rational& q)
+  {
+    return mpz_size(mpq_numref(q.backend().data())) + mpz_size(mpq_denref(q.backend().data()));
+  }
+
+  std::vector<Element> m_basis;
+  Length_budget& m_budget;
 };
 
 // An element of Q(sqrt b_1, ..., sqrt b_m) as the sum of rational multiples of products of square roots. As these
@@ -53,17 +112,17 @@ public:
 
   friend Radical_number operator+(Radical_number x, const Radical_number& y)
   {
+    x.m_field = x.m_field != nullptr ? x.m_field : y.m_field;
     for(const auto& t : y.m_terms)
       x.add(t.first, t.second);
-    x.m_field = x.m_field != nullptr ? x.m_field : y.m_field;
     return x;
   }
 
   friend Radical_number operator-(Radical_number x, const Radical_number& y)
   {
+    x.m_field = x.m_field != nullptr ? x.m_field : y.m_field;
     for(const auto& t : y.m_terms)
       x.add(t.first, -t.second);
-    x.m_field = x.m_field != nullptr ? x.m_field : y.m_field;
     return x;
   }
 
@@ -77,11 +136,9 @@ public:
     for(const auto& s : x.m_terms)
       for(const auto& t : y.m_terms)
       {
+        result.m_field->take_lengths(s.second, t.second);
         Rational coefficient = s.second * t.second;
-        std::size_t i = 0;
-        for(std::uint64_t common = s.first & t.first; common != 0; common >>= 1, ++i)
-          if(common & 1)
-            coefficient *= result.m_field->basis[i];
+        result.m_field->multiply_by_basis(coefficient, s.first & t.first);
         result.add(s.first ^ t.first, coefficient);
       }
     return result;
@@ -90,7 +147,10 @@ public:
 private:
   void add(std::uint64_t mask, const Rational& coefficient)
   {
-    const auto it = m_terms.emplace(mask, 0).first;
+    const auto [it, is_new] = m_terms.emplace(mask, coefficient);
+    if(is_new)
+      return;
+    m_field->take_lengths(it->second, coefficient);
     it->second += coefficient;
     if(it->second == 0)
       m_terms.erase(it);

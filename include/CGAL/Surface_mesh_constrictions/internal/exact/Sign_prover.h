@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -73,6 +74,10 @@ public:
 
   const Surface& surface() const { return m_surface; }
   const Sign_statistics& statistics() const { return m_statistics; }
+
+  // Begins a new curve. All signs of a curve have one budget for coefficients that are long: its correction may ask for
+  // hundreds of signs, and if each had a budget of its own a curve among subnormal coordinates would take minutes.
+  void begin_curve() { m_length_budget = Length_budget(); }
 
   // The signs of n values. `expression(arithmetic, values)` sets the values that are wanted. It is called with
   // different arithmetics, and must use only what each of them provides.
@@ -237,6 +242,16 @@ private:
     return count;
   }
 
+  template <class Arithmetic>
+  Arithmetic make_arithmetic(const Square_root_basis& basis)
+  {
+    if constexpr(std::is_constructible<Arithmetic, Rational_corners<Surface>&, const Square_root_basis&,
+                                       Length_budget&>::value)
+      return Arithmetic(m_corners, basis, m_length_budget);
+    else
+      return Arithmetic(m_corners, basis);
+  }
+
   // False if the arithmetic gave up.
   template <class Arithmetic, class Expression>
   bool evaluate(const Square_root_basis& basis, const Expression& expression, const std::vector<bool>& wanted,
@@ -245,7 +260,7 @@ private:
   {
     try
     {
-      const Arithmetic arithmetic(m_corners, basis);
+      const Arithmetic arithmetic = make_arithmetic<Arithmetic>(basis);
       Wanted_values<typename Arithmetic::NT> values(wanted);
       expression(arithmetic, values);
       for(std::size_t i = 0; i < wanted.size(); ++i)
@@ -274,6 +289,7 @@ private:
   const Surface& m_surface;
   Rational_corners<Surface> m_corners;
   Sign_statistics m_statistics;
+  Length_budget m_length_budget; // of the curve under way
 };
 
 } // namespace internal
