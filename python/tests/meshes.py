@@ -32,6 +32,16 @@ def write_off(path, vertices, faces):
         np.savetxt(file, np.insert(faces, 0, 3, axis=1), "%d")
 
 
+def write_ply(path, vertices, faces):
+    """Writes what ParaView reads."""
+    with open(path, "w") as file:
+        print(f"ply\nformat ascii 1.0\nelement vertex {len(vertices)}", file=file)
+        print("property double x\nproperty double y\nproperty double z", file=file)
+        print(f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header", file=file)
+        np.savetxt(file, vertices, "%.17g")
+        np.savetxt(file, np.insert(faces, 0, 3, axis=1), "%d")
+
+
 def tube(radii, around=12, closed=True):
     """A tube along z with a ring of each of the radii, closed at both ends by a vertex on its axis."""
     radii = np.asarray(radii, dtype=float)

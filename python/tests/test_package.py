@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from meshes import read_off, write_off
+from meshes import read_off, write_off, write_ply
 
 import constrictions
 
@@ -63,13 +63,17 @@ def test_examples_run(example, tmp_path):
     path = EXAMPLES / example
     text = path.read_text()
     assert len(text.splitlines()) <= 30
-    for module in "meshio", "trimesh":
-        if f"import {module}" in text and importlib.util.find_spec(module) is None:
+    for module in "meshio", "trimesh", "paraview":
+        if (f"import {module}" in text or f"from {module} import" in text) and importlib.util.find_spec(module) is None:
             pytest.skip(f"{module} is not installed")
     arguments = []
     if "sys.argv" in text:
-        write_off(tmp_path / "cactus.off", *read_off("cactus.off"))
-        arguments = ["cactus.off", "out.vtu" if "import meshio" in text else "out.ply"]
+        name, output = "cactus.off", "out.vtu" if "import meshio" in text else "out.ply"
+        if "paraview" in text:
+            name, output = "cactus.ply", "out.vtp"
+        write = write_ply if name.endswith("ply") else write_off
+        write(tmp_path / name, *read_off("cactus.off"))
+        arguments = [name, output]
     folders = [str(PACKAGE.parent), *filter(None, [os.environ.get("PYTHONPATH")])]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(folders)}
     process = subprocess.run(

@@ -2,11 +2,11 @@
 #ifndef FUZZ_ORACLE_H
 #define FUZZ_ORACLE_H
 
-// Decides with 750 digits whether a closed curve on a triangle mesh is a constriction. Shares no code with the package:
+// Decides with 2000 digits whether a closed curve on a triangle mesh is a constriction. Shares no code with the package:
 // neither headers, nor the structure of the mesh, nor the formulas. Faces are unfolded by divisions and square roots,
-// side angles are sums of angles, and what is nearer to zero than 10^-660 of its surroundings is zero. That is no proof
-// of a tie, but no two numbers made of a few hundred doubles that somebody has met are so close. The square of the least
-// double is 10^-647: a vertex that is moved by it off the side of a unit cube is told from one that is not.
+// side angles are sums of angles, and what is nearer to zero than 10^-1800 of its surroundings is zero. That is no proof
+// of a tie, but no two numbers made of a few hundred doubles that somebody has met are so close. The least double is
+// 10^-323, and along a strip several such differences may be multiplied.
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/mpfr.hpp>
@@ -23,7 +23,7 @@
 namespace fuzz {
 
 typedef boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<750, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::mpfr_float_backend<2000, boost::multiprecision::allocate_stack>,
     boost::multiprecision::et_off>
     Real;
 
@@ -176,7 +176,7 @@ private:
 
   static const Real& epsilon()
   {
-    static const Real value("1e-660");
+    static const Real value("1e-1800");
     return value;
   }
 
