@@ -34,7 +34,7 @@ public:
 
   struct Curve
   {
-    Index first = null_index; // of its arcs
+    Index first = null_index; // any of its arcs
     std::size_t size = 0;     // number of arcs
     std::uint64_t hash = 0;   // of its pivots and crossed edges, whatever the order and direction
     std::vector<std::size_t> seeds;
@@ -91,7 +91,7 @@ public:
     return c;
   }
 
-  // Gives the curve these arcs instead of those that it has, in this order.
+  // Gives the curve these arcs instead of those that it has, in this cyclic order.
   void set_arcs(Index c, std::vector<Arc>& arcs)
   {
     while(m_curves[c].size != 0)
@@ -99,8 +99,14 @@ public:
     Index last = null_index;
     for(Arc& a : arcs)
       last = insert_after(c, last, std::move(a));
-    if(last != null_index)
-      m_curves[c].first = next(last);
+  }
+
+  // As above, and the curve starts with the first of them.
+  void set_arcs_in_order(Index c, std::vector<Arc>& arcs)
+  {
+    set_arcs(c, arcs);
+    if(m_curves[c].size != 0)
+      m_curves[c].first = next(m_curves[c].first);
   }
 
   // Replaces the arcs from `first` to `last` by a path with the same ends. If these are all arcs of the curve, the path

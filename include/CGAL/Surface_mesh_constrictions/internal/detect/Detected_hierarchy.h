@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/tie_key.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/found_curves.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/make_canonical.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
@@ -358,7 +357,6 @@ private:
         const Index c = m_network.add_curve(refined.size());
         std::vector<Arc> arcs = p.arcs;
         m_network.set_arcs(c, arcs);
-        make_canonical(m_network, c);
         refined.push_back(Refined_curve{curve_of_arcs(p.arcs), {seeds.size()}, false});
         seeds.push_back(Seed_curve{0, p.path, Seed_origin::BARRIER});
         const Index known = distinct.insert(c);

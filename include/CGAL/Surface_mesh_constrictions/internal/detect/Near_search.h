@@ -324,7 +324,6 @@ private:
     }
     Tightening_verdict verdict = m_settler.settle(c);
     double band_width = m_settler.band_width();
-    make_canonical(m_network, c);
     if(verdict == Tightening_verdict::NOT_SIMPLE && m_selection.certifies)
       verdict = Tightening_verdict::CLOSED_GEODESIC; // it may be corrected
     else if(verdict == Tightening_verdict::CLOSED_GEODESIC && !is_asked_for(c, band_width))
@@ -336,8 +335,6 @@ private:
     {
       m_distinct.remove(c); // it may be changed
       certificate = m_exact_settler.settle(m_network, c);
-      if(certificate.is_certified()) // others name places of the curve
-        make_canonical(m_network, c);
       m_statistics.signs = m_statistics.signs + certificate.signs;
       band_width = m_prepared.imported().unit().divided(certificate.flat_band_width);
       verdict = tightening_verdict(certificate, m_network.is_empty(c));
@@ -491,6 +488,7 @@ private:
       std::vector<Seed_curve> its_seeds;
       for(std::size_t s : m_network.curve(f.curve).seeds)
         its_seeds.push_back(m_seeds[s]);
+      make_canonical(m_network, f.curve, f.certificate);
       Result curve = maker.make(m_network, f.curve, its_seeds, f.band_width, f.certificate);
       const bool is_rim = curve.is_rim() && m_selection.with_rims;
       if(!m_selection.all && !is_rim &&

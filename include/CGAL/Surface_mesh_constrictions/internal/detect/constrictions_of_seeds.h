@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Detected_hierarchy.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/carry_seeds_to_input.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/found_curves.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/make_canonical.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
@@ -100,6 +101,7 @@ constrictions_of_seeds(const Imported_mesh<TriangleMesh>& imported, const Progre
       for(std::size_t s : refined[i].seeds)
         its_seeds.push_back(seeds[s]);
     statistics.merged += its_seeds.size() - 1;
+    make_canonical(network, f.curve, f.certificate);
     constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width, f.certificate));
     traces.push_back(accurate_trace(pm, arcs_of_curve(network, f.curve)));
   }

@@ -13,7 +13,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/boundary_share.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/coincidence.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/make_canonical.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Group.h>
@@ -86,7 +85,6 @@ std::vector<Found_curve> tighten_refined(Curve_network& network, const std::vect
       its_network.set_arcs(c, arcs);
       settled.verdict = settler.settle(c);
       settled.band_width = settler.band_width();
-      make_canonical(its_network, c);
       settled.arcs = arcs_of_curve(its_network, c);
       its_network.remove(c);
     }
@@ -244,10 +242,8 @@ void certify_found(Curve_network& network, const MakeSettler& make_settler, cons
     {
       const Index c = its_network.add_curve(i);
       std::vector<Arc> arcs = arcs_of_curve(network, found[i].curve);
-      its_network.set_arcs(c, arcs);
+      its_network.set_arcs_in_order(c, arcs);
       group.result.certificates.push_back(settler.settle(its_network, c));
-      if(group.result.certificates.back().is_certified()) // others name places of the curve
-        make_canonical(its_network, c);
       group.result.arcs.push_back(arcs_of_curve(its_network, c));
       its_network.remove(c);
     }
@@ -267,7 +263,7 @@ void certify_found(Curve_network& network, const MakeSettler& make_settler, cons
       Found_curve f = found[i];
       f.certificate = group.result.certificates[i - group.begin];
       statistics.signs = statistics.signs + f.certificate.signs;
-      network.set_arcs(f.curve, group.result.arcs[i - group.begin]);
+      network.set_arcs_in_order(f.curve, group.result.arcs[i - group.begin]);
       if(f.certificate.is_certified() ||
          (keeps_open && remains_open(network.surface(), arcs_of_curve(network, f.curve), f.certificate.verdict)))
       {

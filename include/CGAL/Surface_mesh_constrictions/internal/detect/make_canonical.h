@@ -2,6 +2,7 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_DETECT_MAKE_CANONICAL_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_DETECT_MAKE_CANONICAL_H
 
+#include <CGAL/Surface_mesh_constrictions/Certificate.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
@@ -83,7 +84,14 @@ inline void make_canonical(Curve_network& network, Index c)
   std::rotate(arcs->begin(), arcs->begin() + static_cast<std::ptrdiff_t>(start), arcs->end());
   for(Arc& a : *arcs)
     a.length = accurate_length(pm, a);
-  network.set_arcs(c, *arcs);
+  network.set_arcs_in_order(c, *arcs);
+}
+
+// As above, for a curve that is going to be returned, unless its certificate names a place of it.
+inline void make_canonical(Curve_network& network, Index c, const Certificate& certificate)
+{
+  if(certificate.is_certified() || certificate.verdict == Certificate_verdict::NOT_COMPUTED)
+    make_canonical(network, c);
 }
 
 } // namespace internal

@@ -100,7 +100,7 @@ public:
     if(is_changed)
     {
       std::vector<Arc> arcs = measured(curve);
-      network.set_arcs(c, arcs);
+      network.set_arcs_in_order(c, arcs);
     }
     Certificate result = finding.certificate;
     result.signs = signs;
