@@ -33,7 +33,7 @@ def write_off(path, vertices, faces):
 
 
 def write_ply(path, vertices, faces):
-    """Writes what ParaView reads."""
+    """Writes what ParaView and PyVista read."""
     with open(path, "w") as file:
         print(f"ply\nformat ascii 1.0\nelement vertex {len(vertices)}", file=file)
         print("property double x\nproperty double y\nproperty double z", file=file)

@@ -63,13 +63,13 @@ def test_examples_run(example, tmp_path):
     path = EXAMPLES / example
     text = path.read_text()
     assert len(text.splitlines()) <= 30
-    for module in "meshio", "trimesh", "paraview":
+    for module in "meshio", "trimesh", "pyvista", "paraview":
         if (f"import {module}" in text or f"from {module} import" in text) and importlib.util.find_spec(module) is None:
             pytest.skip(f"{module} is not installed")
     arguments = []
     if "sys.argv" in text:
         name, output = "cactus.off", "out.vtu" if "import meshio" in text else "out.ply"
-        if "paraview" in text:
+        if "paraview" in text or "pyvista" in text:
             name, output = "cactus.ply", "out.vtp"
         write = write_ply if name.endswith("ply") else write_off
         write(tmp_path / name, *read_off("cactus.off"))
