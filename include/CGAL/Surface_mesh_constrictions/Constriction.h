@@ -120,8 +120,8 @@ public:
   explicit Constriction(Data data) : m_data(std::make_shared<const Data>(std::move(data))) {}
 
   /// the closed sequence of points; the first is not repeated, any two consecutive ones lie in one face. A curve that
-  /// was found starts at the first of its vertices; this start and the direction depend on the numbering of the mesh
-  /// alone, not on the search.
+  /// was detected starts at the first of its vertices, unless its certificate names a place that violates a condition;
+  /// this start and the direction depend on the numbering of the mesh alone, not on the search.
   const std::vector<Location>& locations() const { return m_data->locations; }
 
   /// the vertices that the curve passes through, in the order of `locations()`

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <string>
@@ -227,6 +228,43 @@ TEST(Detection, PoliciesOfTheUserAreUsed)
                                 .get_placement(SMS::Midpoint_placement<SMC::Simplification_mesh>()));
   EXPECT_FALSE(lindstrom_turk.empty());
   EXPECT_FALSE(edge_length.empty());
+}
+
+// Found from seeds of different simplifications, the same curve has the same locations.
+TEST(Detection, TheStartAndTheDirectionOfACurveDoNotDependOnTheSearch)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.15, 11));
+  const auto find = [&mesh](const auto& policies) {
+    std::vector<Constriction> result;
+    SMC::detect_constrictions(
+        mesh, std::back_inserter(result),
+        SMC::parameters::all_constrictions(true, SMC::parameters::simplification_policies(policies)));
+    return result;
+  };
+  const std::vector<Constriction> garland = find(SMC::Garland_heckbert_policies()),
+                                  others = find(SMC::Edge_length_policies());
+  std::size_t same = 0;
+  for(const Constriction& c : garland)
+  {
+    EXPECT_EQ(c.pivots().front().location, 0u);
+    for(const Constriction::Pivot& p : c.pivots())
+      EXPECT_LE(c.locations().front().vertex, p.vertex);
+    for(const Constriction& d : others)
+    {
+      if(std::abs(c.length() - d.length()) > 1e-12 * c.length())
+        continue;
+      ++same;
+      EXPECT_EQ(c.length(), d.length());
+      ASSERT_EQ(c.locations().size(), d.locations().size());
+      for(std::size_t i = 0; i < c.locations().size(); ++i)
+      {
+        EXPECT_EQ(c.locations()[i].vertex, d.locations()[i].vertex);
+        EXPECT_EQ(c.locations()[i].halfedge, d.locations()[i].halfedge);
+        EXPECT_EQ(c.locations()[i].parameter, d.locations()[i].parameter);
+      }
+    }
+  }
+  EXPECT_GT(same, 5u);
 }
 
 // Seeds of all simplifications are followed, and each curve is found once. Levels are those of a seed's own

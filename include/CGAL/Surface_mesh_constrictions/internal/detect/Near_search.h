@@ -24,9 +24,9 @@
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Closed_path_tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Prepared_surface.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/found_curves.h>
-#include <CGAL/Surface_mesh_constrictions/internal/detect/make_canonical.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/Level_with_location.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/held_loops.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/make_canonical.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
