@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/Invalid_query_file.h>
 #include <CGAL/Surface_mesh_constrictions/Label_border.h>
 #include <CGAL/Surface_mesh_constrictions/Local_boundary_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/Local_cut_locus_seeds.h>

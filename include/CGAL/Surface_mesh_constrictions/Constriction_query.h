@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/Constriction.h>
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Geodesic_loop.h>
+#include <CGAL/Surface_mesh_constrictions/Invalid_query_file.h>
 #include <CGAL/Surface_mesh_constrictions/Loop_through_locations.h>
 #include <CGAL/Surface_mesh_constrictions/Plane_section.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/detect/held_loops.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/loop_through.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/loops_at_location.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/query_file.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/section_at_location.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/tighten_loops.h>
 #include <CGAL/Surface_mesh_constrictions/internal/seeds/Packed_seeds.h>
@@ -37,10 +39,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <istream>
 #include <iterator>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <ostream>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -109,9 +114,14 @@ public:
   /// \throws Invalid_input for a mesh that cannot be used; it says what is wrong and where
   /// \throws exceptions of the visitor
   /// \cost that of the simplification and of the seed sources, O(n log n) for n faces
+#ifdef DOXYGEN_RUNNING
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+#else
+  template <class NamedParameters = CGAL::parameters::Default_named_parameters,
+            std::enable_if_t<!std::is_convertible<NamedParameters*, std::istream*>::value, int> = 0>
+#endif
   explicit Constriction_query(const TriangleMesh& tm, const NamedParameters& np = CGAL::parameters::default_values())
-    : m_prepared(tm, point_map(tm, np), CGAL::get_initialized_vertex_index_map(tm, np))
+    : m_prepared(tm, point_map(tm, np), CGAL::get_initialized_vertex_index_map(tm, np)), m_given(given(np))
   {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
@@ -130,6 +140,57 @@ public:
             visitor.on_stage_end(Detection_stage::SEEDS);
           });
     }
+  }
+
+  /// reads what `write()` has written of the same mesh, instead of preparing it. The answers are the same, bit for bit.
+  ///
+  /// The file tells whether `seed_sources` and one of the parameters for policies were given when the mesh was
+  /// prepared, and has to agree with `np` in this, but not which: that is for the caller to know. A file that somebody
+  /// made to harm is refused, or leads to answers of a wrong preparation; it does not crash the program.
+  ///
+  /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  ///
+  /// \param tm the mesh: the same points and faces, in the same order; it is referred to
+  /// \param in a stream in binary mode, which is read to its end
+  /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those that the mesh was prepared
+  ///        with; `visitor` is not called
+  ///
+  /// \throws Invalid_input for a mesh that cannot be used
+  /// \throws Invalid_query_file for a file of another mesh, another version, or other parameters, one that is damaged
+  ///         or cut off, and one that cannot be read
+  /// \cost linear in the mesh and the file
+  template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+  Constriction_query(const TriangleMesh& tm, std::istream& in,
+                     const NamedParameters& np = CGAL::parameters::default_values())
+    : m_prepared(tm, point_map(tm, np), CGAL::get_initialized_vertex_index_map(tm, np)), m_given(given(np))
+  {
+    if constexpr(internal::check_parameters<internal::Query_preparation_parameters, NamedParameters>())
+    {
+      internal::Query_file_key key = m_prepared.key();
+      key.given = m_given;
+      const internal::Query_record record = internal::Query_file_reader(in).get(key);
+      m_prepared.restore(record);
+      m_seeds = internal::Packed_seeds(record.seeds);
+    }
+  }
+
+  /// writes what has been prepared: the order of the faces, the collapses and the seeds. What is found by
+  /// `constrictions()` is not written.
+  ///
+  /// The format is binary and the same on every platform: 20 bytes a face of a large mesh, plus 12 bytes for each seed
+  /// and 4 for each of its vertices.
+  ///
+  /// \param out a stream in binary mode
+  ///
+  /// \return whether the stream is good afterwards
+  /// \cost O(n log n) for n faces, and a copy of the progressive mesh
+  bool write(std::ostream& out) const
+  {
+    std::pair<internal::Query_file_key, internal::Query_record> prepared = m_prepared.record();
+    prepared.first.given = m_given;
+    prepared.second.seeds = m_seeds.unpacked();
+    internal::Query_file_writer(out).put(prepared.first, prepared.second);
+    return out.good();
   }
 
   /// the mesh
@@ -362,6 +423,16 @@ public:
   }
 
 private:
+  // Which parameters that decide on the preparation are given: 1 for policies, 2 for seed sources.
+  template <class NamedParameters>
+  static std::uint32_t given(const NamedParameters&)
+  {
+    using CGAL::parameters::is_default_parameter;
+    constexpr bool has_policies = !is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value ||
+                                  !is_default_parameter<NamedParameters, internal_np::simplification_policies_t>::value;
+    return (has_policies ? 1u : 0u) + (internal::has_seed_sources<NamedParameters> ? 2u : 0u);
+  }
+
   template <class NamedParameters>
   static VertexPointMap point_map(const TriangleMesh& tm, const NamedParameters& np)
   {
@@ -411,6 +482,7 @@ private:
 
   internal::Prepared_surface<TriangleMesh, VertexPointMap> m_prepared;
   internal::Packed_seeds m_seeds;
+  const std::uint32_t m_given;
   mutable std::mutex m_mutex; // of what was found last
   mutable std::shared_ptr<const Found> m_found;
 };

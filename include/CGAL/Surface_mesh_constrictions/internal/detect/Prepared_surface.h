@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
+#include <CGAL/Surface_mesh_constrictions/internal/detect/query_file.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/simplify.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_graph.h>
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -99,6 +101,52 @@ public:
     hold_levels(area);
   }
 
+  // What a file of this mesh must agree with; before it is simplified or restored. Linear.
+  Query_file_key key() const
+  {
+    std::vector<Index> order(m_imported.number_of_faces());
+    std::iota(order.begin(), order.end(), Index(0));
+    return key_of(m_imported.table, m_imported.points, order);
+  }
+
+  // Takes collapses from a record instead of simplifying the mesh, and holds the same levels. Throws
+  // Invalid_query_file for a record that is not of this mesh. Linear, if degrees are bounded.
+  void restore(const Query_record& record)
+  {
+    if(!record.order.empty())
+      m_imported.reorder_faces(record.order);
+    m_surface.emplace(std::move(m_imported.table), std::move(m_imported.points));
+    const double area = surface_area(*m_surface);
+    Collapse_checker(*m_surface).append(record);
+    hold_levels(area);
+  }
+
+  // What `restore()` takes, but for the seeds, and the key. O(n log n) for n faces.
+  std::pair<Query_file_key, Query_record> record() const
+  {
+    const TriangleMesh& tm = m_imported.mesh();
+    typedef std::pair<typename Graph_traits::face_descriptor, Index> Numbered_face;
+    std::vector<Numbered_face> faces_of_mesh;
+    for(auto f : faces(tm))
+      faces_of_mesh.emplace_back(f, static_cast<Index>(faces_of_mesh.size()));
+    std::sort(faces_of_mesh.begin(), faces_of_mesh.end());
+    Query_record result;
+    std::vector<Index> place(faces_of_mesh.size());
+    bool is_in_order = true;
+    for(Index f = 0; f < m_imported.number_of_faces(); ++f)
+    {
+      const Numbered_face least(face(m_imported.halfedge_of(3 * f), tm), 0);
+      const Index number = std::lower_bound(faces_of_mesh.begin(), faces_of_mesh.end(), least)->second;
+      result.order.push_back(number);
+      place[number] = f;
+      is_in_order = is_in_order && number == f;
+    }
+    if(is_in_order)
+      result.order.clear();
+    result.collapses = collapses_of(*m_surface);
+    return {key_of(m_surface->connectivity(), m_surface->points(), place), std::move(result)};
+  }
+
   // Goes without levels: for one tightening, or for a mesh that is searched as it is. Linear.
   void hold_no_levels()
   {
@@ -136,6 +184,21 @@ public:
   }
 
 private:
+  // `place[f]` is the face here that is number f of the mesh.
+  Query_file_key key_of(const Corner_table& table, const std::vector<Point>& points,
+                        const std::vector<Index>& place) const
+  {
+    Fnv_hash hash;
+    hash.add(bits_of(m_imported.unit().restored(1.0)), 8);
+    for(std::size_t v = 0; v < m_imported.number_of_vertices(); ++v)
+      for(int i = 0; i < 3; ++i)
+        hash.add(bits_of(points[v][i]), 8);
+    for(Index f : place)
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        hash.add(table.halfedges[h].source, 4);
+    return {hash.value(), m_imported.number_of_vertices(), m_imported.number_of_faces(), 0};
+  }
+
   static bool is_large(std::size_t vertices) { return vertices > 4 * searching_vertices; }
 
   // The surface is at its last level. `area` is that of T^0.
