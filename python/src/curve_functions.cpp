@@ -10,8 +10,12 @@
 
 #include <CGAL/tags.h>
 
+#include <boost/iostreams/device/array.hpp>
+#include <boost/iostreams/device/back_inserter.hpp>
+#include <boost/iostreams/stream.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 
+#include <istream>
 #include <iterator>
 #include <mutex>
 
@@ -37,18 +41,45 @@ struct Prepared_mesh::Query
 {
   SMC::Constriction_query<Mesh, CGAL::Parallel_if_available_tag> query;
 
-  Query(const Mesh& mesh, Monitor& monitor, SMC::Detection_statistics& statistics)
-    : query(mesh, SMC::parameters::seed_sources(No_seeds()).visitor(Monitoring_visitor(monitor, statistics)))
+  template <class NamedParameters>
+  Query(const Mesh& mesh, const NamedParameters& np) : query(mesh, np)
   {}
+  Query(const Mesh& mesh, std::istream* in) : query(mesh, *in) {}
 };
 
-Prepared_mesh::Prepared_mesh(const Mesh& mesh, Monitor& monitor)
+Prepared_mesh::Prepared_mesh(const Mesh& mesh, bool is_for_detection, Monitor& monitor)
+  : m_is_for_detection(is_for_detection)
 {
   SMC::Detection_statistics statistics;
-  m_query = std::make_unique<const Query>(mesh, monitor, statistics);
+  const auto visitor = SMC::parameters::visitor(Monitoring_visitor(monitor, statistics));
+  m_query = is_for_detection ? std::make_unique<const Query>(mesh, visitor)
+                             : std::make_unique<const Query>(mesh, SMC::parameters::seed_sources(No_seeds(), visitor));
+}
+
+Prepared_mesh::Prepared_mesh(const Mesh& mesh, std::string_view file) : m_is_for_detection(true)
+{
+  boost::iostreams::stream<boost::iostreams::array_source> in(file.data(), file.size());
+  m_query = std::make_unique<const Query>(mesh, static_cast<std::istream*>(&in));
 }
 
 Prepared_mesh::~Prepared_mesh() = default;
+
+std::string Prepared_mesh::as_file() const
+{
+  std::string result;
+  boost::iostreams::stream<boost::iostreams::back_insert_device<std::string>> out(result);
+  m_query->query.write(out);
+  out.flush();
+  return result;
+}
+
+Detected Prepared_mesh::detect(const Search& search, Monitor& monitor) const
+{
+  Detected result;
+  m_query->query.constrictions(std::back_inserter(result.constrictions),
+                               search_parameters(search, monitor, result.statistics));
+  return result;
+}
 
 Detected Prepared_mesh::near(const Mesh::Point& location, const Search& search, Monitor& monitor) const
 {
@@ -94,8 +125,23 @@ std::shared_ptr<const Prepared_mesh> prepared(const Surface& surface, Monitor& m
 {
   const std::lock_guard<std::mutex> lock(surface.prepared_mutex);
   if(!surface.prepared)
-    surface.prepared = std::make_shared<const Prepared_mesh>(surface.mesh, monitor);
+    surface.prepared = std::make_shared<const Prepared_mesh>(surface.mesh, false, monitor);
   return surface.prepared;
+}
+
+std::shared_ptr<const Prepared_mesh> prepared_for_detection(const Surface& surface, Monitor& monitor)
+{
+  const std::lock_guard<std::mutex> lock(surface.prepared_mutex);
+  if(!surface.prepared || !surface.prepared->is_for_detection())
+    surface.prepared = std::make_shared<const Prepared_mesh>(surface.mesh, true, monitor);
+  return surface.prepared;
+}
+
+void read_prepared(const Surface& surface, std::string_view file)
+{
+  const auto read = std::make_shared<const Prepared_mesh>(surface.mesh, file);
+  const std::lock_guard<std::mutex> lock(surface.prepared_mutex);
+  surface.prepared = read;
 }
 
 SMC::Certificate certify(const Mesh& mesh, const Constriction& curve) { return SMC::certify_constriction(mesh, curve); }

@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace constrictions {
@@ -37,9 +39,16 @@ struct Detected
 class Prepared_mesh
 {
 public:
-  Prepared_mesh(const Mesh& mesh, Monitor& monitor);
+  /// \param is_for_detection whether it has the seed curves that `detect()` needs
+  Prepared_mesh(const Mesh& mesh, bool is_for_detection, Monitor& monitor);
+  /// reads what `as_file()` gives. Throws `Invalid_query_file`.
+  Prepared_mesh(const Mesh& mesh, std::string_view file);
   ~Prepared_mesh();
 
+  bool is_for_detection() const { return m_is_for_detection; }
+  std::string as_file() const; ///< of one that is for detection
+
+  Detected detect(const Search& search, Monitor& monitor) const;
   Detected near(const Mesh::Point& location, const Search& search, Monitor& monitor) const;
   std::vector<Geodesic_loop> girth(const Mesh::Point& location, std::size_t maximum_number,
                                    std::optional<double> minimum_angle, bool certify) const;
@@ -49,16 +58,23 @@ public:
 
 private:
   struct Query;
+  bool m_is_for_detection;
   std::unique_ptr<const Query> m_query;
 };
 
 /// the prepared mesh of a surface, which is made when it is first asked for
 std::shared_ptr<const Prepared_mesh> prepared(const Surface& surface, Monitor& monitor);
 
+/// the same, one that is for detection
+std::shared_ptr<const Prepared_mesh> prepared_for_detection(const Surface& surface, Monitor& monitor);
+
+/// makes what was read the prepared mesh of a surface. Throws `Invalid_query_file`.
+void read_prepared(const Surface& surface, std::string_view file);
+
 /// \name Computations
 /// Without Python, in files of their own, as they take long to compile.
 /// @{
-Detected detect(const Mesh& mesh, const Search& search, Monitor& monitor);
+Detected detect(const Surface& surface, const Search& search, Monitor& monitor);
 CGAL::Surface_mesh_constrictions::Certificate certify(const Mesh& mesh, const Constriction& curve);
 /// @}
 

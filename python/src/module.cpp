@@ -8,6 +8,7 @@
 #include "surface.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
+#include <CGAL/Surface_mesh_constrictions/Invalid_query_file.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <pybind11/pybind11.h>
@@ -20,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -52,6 +54,10 @@ void define_invalid_input(py::module_& module)
       if(exception)
         std::rethrow_exception(exception);
     }
+    catch(const SMC::Invalid_query_file& e)
+    {
+      PyErr_SetString(PyExc_ValueError, e.what());
+    }
     catch(const SMC::Invalid_input& e)
     {
       const py::object value = type(e.what());
@@ -76,8 +82,8 @@ Surface_curves search(const Surface_pointer& surface, const std::optional<Mesh::
 {
   Detected detected;
   compute(progress, [&](Monitor& monitor) {
-    detected = location ? prepared(*surface, monitor)->near(*location, search, monitor)
-                        : detect(surface->mesh, search, monitor);
+    detected =
+        location ? prepared(*surface, monitor)->near(*location, search, monitor) : detect(*surface, search, monitor);
   });
   Surface_curves result;
   for(const Constriction& c : detected.constrictions)
@@ -109,6 +115,23 @@ Surface_section section_of(const Surface_pointer& surface, const py::object& loc
     result.section = prepared(*surface, monitor)->section(point, direction - CGAL::ORIGIN, certifies);
   });
   return result;
+}
+
+void save_prepared(const Surface_pointer& surface, const py::object& path, const py::object& progress)
+{
+  std::string file;
+  compute(progress, [&](Monitor& monitor) { file = prepared_for_detection(*surface, monitor)->as_file(); });
+  const py::object out = py::module_::import("io").attr("open")(path, "wb");
+  out.attr("write")(py::bytes(file));
+  out.attr("close")();
+}
+
+void load_prepared(const Surface_pointer& surface, const py::object& path)
+{
+  const py::object in = py::module_::import("io").attr("open")(path, "rb");
+  const py::bytes file = in.attr("read")();
+  in.attr("close")();
+  compute(py::none(), [&surface, bytes = std::string_view(file)](Monitor&) { read_prepared(*surface, bytes); });
 }
 
 std::vector<Mesh::Vertex_index> as_loop(const Mesh& mesh, const py::handle& loop, std::size_t number)
@@ -309,6 +332,26 @@ certify: prove what the loop becomes when it is let go.
 
 Returns a PlaneSection. Raises InvalidInput for a coordinate that is no finite number, and for an axis of length 0,
 ValueError for another shape. Ctrl-C is noticed when it is done.)")
+      .def("save_prepared", &save_prepared, py::arg("path"), py::kw_only(), py::arg("progress") = py::none(),
+           R"(save_prepared(path, *, progress=None)
+
+Prepares the surface for detect(), near(), girth(), section() and tighten(), if it has not been, and writes what has been
+prepared into a file, about 25 bytes for each face. The command `constrictions prepare` writes the same.
+
+path: the name of the file, or a path.
+progress: see detect().
+
+Raises OSError for a file that can not be written.)")
+      .def("load_prepared", &load_prepared, py::arg("path"),
+           R"(load_prepared(path)
+
+Reads what save_prepared(), or the command `constrictions prepare`, has written of a surface with the same vertices and
+faces, instead of preparing this one. All results are the same.
+
+path: the name of the file, or a path.
+
+Raises ValueError for a file of another surface, or of another version of the format, and for one that is damaged;
+OSError for a file that can not be read. Then the surface is as before.)")
       .def("tighten", &tighten_all, py::arg("loops"), py::kw_only(), py::arg("certify") = true,
            py::arg("progress") = py::none(),
            R"(tighten(loops, *, certify=True, progress=None)

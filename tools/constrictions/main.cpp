@@ -65,6 +65,8 @@ void check_outputs(const Options& options)
     check_writable(options.page);
   if(!options.repaired.empty())
     check_writable(options.repaired);
+  if(options.command == Command::PREPARE)
+    check_writable(options.prepared);
   if(!options.labels_file().empty())
     check_writable(options.labels_file());
   for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files(), options.ply_files(),
@@ -76,6 +78,11 @@ void check_outputs(const Options& options)
 void detect_by_policy(const Options& options, const Selection& selection, Stage_monitor& monitor, Report& report,
                       Levels* levels)
 {
+  if(!options.prepared.empty())
+  {
+    detect_prepared(options.prepared, selection, options.search, monitor, report);
+    return;
+  }
   switch(options.policy)
   {
   case Policy::GARLAND_HECKBERT:
@@ -133,7 +140,7 @@ void girth(const Options& options, Stage_monitor& monitor, Report& report)
 {
   try
   {
-    find_girth(options.girth, options.search.certifies, monitor, report);
+    find_girth(options.prepared, options.girth, options.search.certifies, monitor, report);
   }
   catch(const Invalid_input& e)
   {
@@ -147,9 +154,9 @@ void ask_at_landmarks(const Options& options, const std::vector<Landmark>& landm
   try
   {
     if(options.command == Command::GIRTH)
-      find_girths(landmarks, options.girth, options.search.certifies, monitor, report);
+      find_girths(options.prepared, landmarks, options.girth, options.search.certifies, monitor, report);
     else
-      detect_near_landmarks(landmarks, options.selection, options.search.certifies, monitor, report);
+      detect_near_landmarks(options.prepared, landmarks, options.selection, options.search.certifies, monitor, report);
   }
   catch(const Invalid_input& e)
   {
@@ -483,6 +490,31 @@ int certify(const Options& options)
 }
 
 // Returns the exit code.
+int prepare(const Options& options)
+{
+  File_record record;
+  const Mesh mesh = read_mesh_file(options.mesh, options.reading, record);
+  check_outputs(options);
+  std::vector<Output_file> files;
+  {
+    Stage_monitor monitor(!options.quiet && is_error_output_terminal(), Detection_stage::SEEDS);
+    try
+    {
+      files.push_back({options.prepared, prepare_mesh(mesh, monitor)});
+    }
+    catch(const Invalid_input& e)
+    {
+      throw with_hint(e, record);
+    }
+  }
+  tell_of_repairs(options.mesh, record);
+  write_files(files);
+  if(tells_results(options))
+    std::cerr << written_files_as_text(files) << std::flush;
+  return 0;
+}
+
+// Returns the exit code.
 int check(const Options& options)
 {
   check_outputs(options);
@@ -585,6 +617,8 @@ int main(int argc, char** argv)
     constrictions::limit_threads(options.threads);
     if(options.command == constrictions::Command::CERTIFY)
       return constrictions::certify(options);
+    if(options.command == constrictions::Command::PREPARE)
+      return constrictions::prepare(options);
     if(options.command == constrictions::Command::CHECK)
       return constrictions::check(options);
     if(options.command == constrictions::Command::BATCH)

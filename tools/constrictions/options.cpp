@@ -57,6 +57,8 @@ const char* const examples =
     "not\n"
     "  constrictions girth body.ply --landmarks landmarks.csv --csv -\n"
     "      prints a table of the girths at many places, each on a line x,y,z or name,x,y,z\n"
+    "  constrictions prepare body.ply -o body.prepared\n"
+    "      prepares a large mesh once; with --prepared body.prepared, detect and girth then start at once\n"
     "  constrictions tighten bone.ply --loops loops.txt --json -\n"
     "      shortens your own loops, given as vertex numbers, and prints the outcome as JSON\n"
     "  constrictions tighten bone.ply --labels parts.txt -o result\n"
@@ -426,6 +428,32 @@ CLI::Option* add_landmarks_option(CLI::App& command, Options& options)
       ->check(not_empty);
 }
 
+CLI::Option* add_prepared_option(CLI::App& command, Options& options)
+{
+  return command
+      .add_option("--prepared", options.prepared,
+                  "read what the command prepare has written of this mesh, instead of preparing it again; the results "
+                  "are the same")
+      ->type_name("FILE")
+      ->check(not_empty);
+}
+
+void add_prepare_options(CLI::App& command, Options& options)
+{
+  add_mesh(command, options);
+  command
+      .add_option("-o", options.prepared,
+                  "write the simplification of the mesh and its seed curves into FILE, about 25 bytes for each face")
+      ->type_name("FILE")
+      ->required()
+      ->check(not_empty);
+  add_threads(command, options);
+  command.add_flag("--quiet", options.quiet, "show no progress");
+  command.footer(
+      "\nFor detect --prepared FILE and girth --prepared FILE with the same mesh, --merge and --strict: what "
+      "was\nprepared of another mesh, or by another version of the format, is refused.\n");
+}
+
 void add_girth_options(CLI::App& command, Girth& girth)
 {
   command
@@ -531,7 +559,8 @@ void check_bounds(const Selection& selection)
 
 Command command_of(const std::string& name)
 {
-  const std::array<std::pair<const char*, Command>, 7> others = {{{"girth", Command::GIRTH},
+  const std::array<std::pair<const char*, Command>, 8> others = {{{"girth", Command::GIRTH},
+                                                                  {"prepare", Command::PREPARE},
                                                                   {"tighten", Command::TIGHTEN},
                                                                   {"certify", Command::CERTIFY},
                                                                   {"segment", Command::SEGMENT},
@@ -568,11 +597,16 @@ void describe_program(CLI::App& app, Options& options, Words& words)
       "as an interval");
   add_landmarks_option(detect, options)->excludes("--near")->excludes("--policy");
   add_seeds(detect, options.search)->excludes("--near")->excludes("--landmarks");
+  add_prepared_option(detect, options)->excludes("--policy")->excludes("--seeds");
 
   CLI::App& girth = *app.add_subcommand("girth", "find the shortest loop around the limb through a place");
   add_common_options(girth, options);
   add_girth_options(girth, options.girth);
   add_landmarks_option(girth, options)->excludes("--at");
+  add_prepared_option(girth, options);
+
+  CLI::App& prepare = *app.add_subcommand("prepare", "prepare a mesh for many calls of detect and girth");
+  add_prepare_options(prepare, options);
 
   CLI::App& tighten = *app.add_subcommand(
       "tighten", "shorten given loops, or the borders of given parts, until they are constrictions");

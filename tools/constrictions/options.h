@@ -22,6 +22,7 @@ enum class Command
 {
   DETECT,
   GIRTH,
+  PREPARE,
   TIGHTEN,
   CERTIFY,
   SEGMENT,
@@ -96,6 +97,7 @@ struct Options
   std::string places; ///< of loops through places
   std::string labels;
   std::string landmarks;
+  std::string prepared; ///< what `PREPARE` writes of the mesh, and others read
   std::string curves;
   std::string folder;
   std::string json; ///< "-" is the standard output

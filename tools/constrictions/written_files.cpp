@@ -70,14 +70,17 @@ std::vector<std::string> Options::csv_files() const
 void check_files(const Options& options)
 {
   std::vector<std::string> names = {options.mesh == "-" ? "/dev/stdin" : options.mesh};
-  for(const std::string& name : {options.loops, options.places, options.labels, options.landmarks, options.curves})
+  const bool reads_prepared = options.command != Command::PREPARE;
+  for(const std::string& name : {options.loops, options.places, options.labels, options.landmarks, options.curves,
+                                 reads_prepared ? options.prepared : std::string()})
     if(!name.empty())
       names.push_back(name);
   const std::size_t inputs = names.size();
   for(const std::vector<std::string>& files : {options.json_files(), options.polylines_files(), options.ply_files(),
                                                options.vtp_files(), options.obj_files(), options.csv_files()})
     names.insert(names.end(), files.begin(), files.end());
-  for(const std::string& name : {options.page, options.repaired, options.labels_file()})
+  for(const std::string& name :
+      {options.page, options.repaired, options.labels_file(), reads_prepared ? std::string() : options.prepared})
     if(!name.empty())
       names.push_back(name);
 

@@ -177,8 +177,8 @@ public:
   /// writes what has been prepared: the order of the faces, the collapses and the seeds. What is found by
   /// `constrictions()` is not written.
   ///
-  /// The format is binary and the same on every platform: 20 bytes a face of a large mesh, plus 12 bytes for each seed
-  /// and 4 for each of its vertices.
+  /// The format is binary and the same on every platform: 16 bytes a face for the collapses, 4 if the simplification in
+  /// blocks has ordered the faces anew, plus 12 bytes for each seed and 4 for each of its vertices.
   ///
   /// \param out a stream in binary mode
   ///

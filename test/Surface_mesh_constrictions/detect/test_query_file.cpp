@@ -112,8 +112,7 @@ TEST(QueryFile, AnswersAreTheSameAfterReading)
   const std::vector<Mesh> meshes = {
       test_meshes::make_mesh(test_meshes::chain_of_necks(0.005, 1)), test_meshes::make_mesh(test_meshes::torus(0.1, 3)),
       test_meshes::make_mesh(open_meshes::with_random_holes(test_meshes::dumbbell(0.1, 4), 3, 1)),
-      test_meshes::make_mesh(test_meshes::joined(test_meshes::boxes_with_tube(2), test_meshes::torus(0.1, 5), 30)),
-      real_meshes::read("cactus.off")};
+      test_meshes::make_mesh(test_meshes::joined(test_meshes::boxes_with_tube(2), test_meshes::torus(0.1, 5), 30))};
   for(const Mesh& mesh : meshes)
   {
     const Query query(mesh);
@@ -173,8 +172,8 @@ TEST(QueryFile, AFileThatWasMadeToHarmIsRefusedOrAnswers)
   const Mesh mesh = test_meshes::make_mesh(test_meshes::boxes_with_tube(2));
   const std::string file = file_of(Query(mesh));
   std::size_t refused = 0;
-  for(std::size_t i = 0; i + 8 < file.size(); i += 1 + file.size() / 100)
-    for(int flip : {1, 128, 255})
+  for(std::size_t i = 0; i + 8 < file.size(); i += 1 + file.size() / 40)
+    for(int flip : {1, 128})
     {
       std::string forged = file;
       forged[i] = static_cast<char>(forged[i] ^ flip);

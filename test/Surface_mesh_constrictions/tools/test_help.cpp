@@ -19,7 +19,7 @@ using program_fixture::Program;
 
 typedef std::set<std::string> Names;
 
-const std::vector<std::string> commands = {"detect",  "girth", "tighten", "certify",
+const std::vector<std::string> commands = {"detect",  "girth", "prepare", "tighten", "certify",
                                            "segment", "batch", "view",    "check"};
 
 std::string document(const std::string& name)

@@ -16,7 +16,6 @@
 #include "output/report.h"
 #include "view/playback.h"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -48,38 +47,34 @@ void tighten_labels(const std::vector<Label>& labels, bool certifies, Stage_moni
 void tighten_through_places(const std::string& file, const Place_loops& loops, bool certifies, Stage_monitor& monitor,
                             Report& report);
 
-/// \name Many Places
-/// The mesh is prepared once. Both fill the answers, the curves and the statistics of the report.
+/// \name A Prepared Mesh
+/// `prepared` is the name of a file that has what `prepare_mesh()` gives, or empty: then the mesh is prepared first. All
+/// throw `Input_file_error` for a file that does not fit the mesh.
 /// @{
 
-/// finds the constrictions near each landmark.
-void detect_near_landmarks(const std::vector<Landmark>& landmarks, const Selection& selection, bool certifies,
-                           Stage_monitor& monitor, Report& report);
+/// prepares a mesh. Returns the bytes of the file.
+std::string prepare_mesh(const Mesh& mesh, Stage_monitor& monitor);
 
-/// finds the shortest loops at each landmark.
-void find_girths(const std::vector<Landmark>& landmarks, const Girth& girth, bool certifies, Stage_monitor& monitor,
-                 Report& report);
+/// finds the constrictions of the whole mesh, or those near the location that the user gave, as `detect_with_...()`;
+/// fills the curves and the statistics of the report. There has to be a file.
+void detect_prepared(const std::string& prepared, const Selection& selection, const Search& search,
+                     Stage_monitor& monitor, Report& report);
+
+/// finds the constrictions near each landmark; fills the answers, the curves and the statistics of the report.
+void detect_near_landmarks(const std::string& prepared, const std::vector<Landmark>& landmarks,
+                           const Selection& selection, bool certifies, Stage_monitor& monitor, Report& report);
+
+/// finds the shortest loops at a place; fills the loops, the curves and the statistics of the report.
+void find_girth(const std::string& prepared, const Girth& girth, bool certifies, Stage_monitor& monitor,
+                Report& report);
+
+/// finds the shortest loops at each landmark; the answers, too.
+void find_girths(const std::string& prepared, const std::vector<Landmark>& landmarks, const Girth& girth,
+                 bool certifies, Stage_monitor& monitor, Report& report);
 /// @}
-
-/// appends loops that are held at a place to the curves of the report.
-void add_loops(const std::vector<Geodesic_loop>& loops, bool certifies, Report& report);
-
-/// a direction of the user
-Mesh::Point::R::Vector_3 as_vector(const std::array<double, 3>& axis);
-
-/// appends a section to those of the report, and the loop that it becomes to its curves. Returns why there is no loop,
-/// or an empty text.
-std::string add_section(const CGAL::Surface_mesh_constrictions::Plane_section<Mesh>& section, bool certifies,
-                        Report& report);
-
-/// why there is no loop at a place: whether some are that are folded more than asked
-std::string girth_hint(bool has_folded);
 
 /// why no constriction is near a place
 std::string near_hint(std::size_t not_selected);
-
-/// finds the shortest loops at a place; fills the loops, the curves and the statistics of the report.
-void find_girth(const Girth& girth, bool certifies, Stage_monitor& monitor, Report& report);
 
 /// the certificate of each of the curves
 std::vector<Certified_curve> certify_curves(const Mesh& mesh, const Curves& curves, Stage_monitor& monitor);

@@ -28,6 +28,7 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 constexpr char query_file_magic[] = "constrictions query\n";
+// Greater when the format, or what a preparation gives for some mesh, is another one.
 constexpr std::uint32_t query_file_version = 1;
 
 // Coordinates of levels are beyond this only in a file that no simplification has led to; their sixth powers are
@@ -293,9 +294,8 @@ public:
   {
     std::vector<std::size_t> seeds(record.seeds.size()); // by level
     std::iota(seeds.begin(), seeds.end(), std::size_t(0));
-    std::stable_sort(seeds.begin(), seeds.end(), [&](std::size_t a, std::size_t b) {
-      return record.seeds[a].level < record.seeds[b].level;
-    });
+    std::stable_sort(seeds.begin(), seeds.end(),
+                     [&](std::size_t a, std::size_t b) { return record.seeds[a].level < record.seeds[b].level; });
     auto seed = seeds.begin();
     for(std::size_t k = 0; k <= record.collapses.size(); ++k)
     {

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compute/computations.h"
+#include "compute/note_loops.h"
 
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
-#include <CGAL/Surface_mesh_constrictions/geodesic_loops_at_location.h>
-#include <CGAL/Surface_mesh_constrictions/parameters.h>
-#include <CGAL/Surface_mesh_constrictions/plane_section_at_location.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -78,8 +73,6 @@ void add_loops(const std::vector<Geodesic_loop>& loops, bool certifies, Report& 
   }
 }
 
-Mesh::Point::R::Vector_3 as_vector(const std::array<double, 3>& axis) { return {axis[0], axis[1], axis[2]}; }
-
 std::string add_section(const SMC::Plane_section<Mesh>& section, bool certifies, Report& report)
 {
   report.sections.push_back({section, std::nullopt});
@@ -97,44 +90,6 @@ std::string add_section(const SMC::Plane_section<Mesh>& section, bool certifies,
   report.sections.back().curve = report.constrictions.size();
   add_loops({*section.loop}, certifies, report);
   return "";
-}
-
-std::string girth_hint(bool has_folded)
-{
-  return has_folded ? "The closed curves through this place that hold are folded there: their angles are less than "
-                      "--min-angle. With --min-angle 0 the shortest one is reported."
-                    : "No closed curve through this place holds: there is no handle, and no limb that is steep enough.";
-}
-
-void find_girth(const Girth& girth, bool certifies, Stage_monitor& monitor, Report& report)
-{
-  report.is_girth = true;
-  monitor.begin(SMC::Detection_stage::TIGHTENING, 1);
-  const std::array<double, 3>& at = *girth.location;
-  const Mesh::Point place(at[0], at[1], at[2]);
-  if(girth.axis)
-  {
-    report.hint = add_section(
-        SMC::plane_section_at_location(report.mesh, place, as_vector(*girth.axis), SMC::parameters::certify(certifies)),
-        certifies, report);
-    monitor.step(1);
-    monitor.end(SMC::Detection_stage::TIGHTENING);
-    return;
-  }
-  std::vector<Geodesic_loop> loops;
-  SMC::geodesic_loops_at_location(report.mesh, place, std::back_inserter(loops),
-                                  SMC::parameters::maximum_number_of_loops(girth.maximum_number)
-                                      .minimum_loop_angle(girth.minimum_angle)
-                                      .certify(certifies));
-  add_loops(loops, certifies, report);
-  if(loops.empty())
-  {
-    SMC::geodesic_loops_at_location(report.mesh, place, std::back_inserter(loops),
-                                    SMC::parameters::minimum_loop_angle(0.0).certify(false));
-    report.hint = girth_hint(!loops.empty());
-  }
-  monitor.step(1);
-  monitor.end(SMC::Detection_stage::TIGHTENING);
 }
 
 } // namespace constrictions
