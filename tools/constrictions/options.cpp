@@ -684,8 +684,7 @@ std::optional<int> parse_options(int argc, char** argv, Options& options)
     if(!words.side.empty())
       options.segmentation.side = words.side == "object" ? CGAL::Surface_mesh_constrictions::Side::OBJECT
                                                          : CGAL::Surface_mesh_constrictions::Side::COMPLEMENT;
-    if(options.removes_handles())
-      options.selection.all = true;
+    options.search.measures_prominence = !options.removes_handles();
     check_bounds(options.selection);
     if(options.segmentation.format == Part_format::THREE_MF && !has_zip())
       throw CLI::ValidationError("--format", "this program was built without libzip, which writes 3MF files");

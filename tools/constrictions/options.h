@@ -56,6 +56,7 @@ struct Search
 {
   bool triangles_only = false; ///< seeds are non-face triangles, no others
   bool certifies = true;
+  bool measures_prominence = true; ///< if not, all curves are reported
   bool proves_prominence = false;
   std::optional<std::array<double, 3>> location; ///< near which, instead of everywhere
 };

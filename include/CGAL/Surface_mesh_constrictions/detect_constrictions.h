@@ -44,7 +44,7 @@ struct Detection_parameters
         internal_np::visitor_t, internal_np::get_cost_policy_t, internal_np::get_placement_policy_t,
         internal_np::simplification_policies_t, internal_np::tightening_schedule_t, internal_np::certify_t,
         internal_np::certified_only_t, internal_np::seed_sources_t, internal_np::seed_detection_t,
-        internal_np::first_constriction_only_t, internal_np::prove_prominence_t>
+        internal_np::first_constriction_only_t, internal_np::measure_prominence_t, internal_np::prove_prominence_t>
 {};
 
 // What `detect_constrictions()` does with arguments of the right kind.
@@ -190,6 +190,15 @@ OutputIterator detect_constrictions_checked(const TriangleMesh& tm, OutputIterat
 ///                           can select again at no cost: see `select_by_prominence()`.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{measure_prominence}
+///     \cgalParamDescription{whether the prominences of the curves are measured. If not, the curves that the seeds lead
+///                           to are written as with `all_constrictions`, in ascending order of their lengths, and
+///                           prominence, isolation, `Constriction::dominated_by()`, `Constriction::crosses()` and what
+///                           depends on them are unset: for a user who needs many short curves of a mesh with many
+///                           handles, and no ranking}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{prove_prominence}
 ///     \cgalParamDescription{whether the prominences of the selected constrictions are bounded from below, too:

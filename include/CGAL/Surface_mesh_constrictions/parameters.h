@@ -153,6 +153,11 @@ CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(all_constrictions)
 CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(rim_constrictions)
 
 /// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
+/// Whether prominences are measured; if not, all curves are selected. Type: `bool`. Default: `true`.
+/// Accepted by `detect_constrictions()`.
+CGAL_SURFACE_MESH_CONSTRICTIONS_PARAMETER(measure_prominence)
+
+/// \ingroup PkgSurfaceMeshConstrictionsNamedParameters
 /// Whether the prominences of the constrictions that are selected are bounded from below, too, as `bound_prominences()`
 /// does. Type: `bool`. Default: `false`.
 /// Accepted by `detect_constrictions()` and `detect_constrictions_near()`.

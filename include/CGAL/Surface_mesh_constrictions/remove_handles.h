@@ -112,7 +112,7 @@ OutputIterator remove_handles_checked(TriangleMesh& tm, OutputIterator out, cons
 /// \return the output iterator, past the last element that was written
 /// \throws Invalid_input for a mesh that cannot be used
 /// \throws std::invalid_argument if `target_genus` is greater than the genus of `tm`
-/// \cost for each round, that of `detect_constrictions()` with `all_constrictions`, and that of `cut_handles()`
+/// \cost for each round, that of `detect_constrictions()` with `measure_prominence(false)`, and that of `cut_handles()`
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh, class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
 OutputIterator remove_handles(TriangleMesh& tm, OutputIterator out,
@@ -147,7 +147,7 @@ OutputIterator remove_handles_checked(TriangleMesh& tm, OutputIterator out, cons
   {
     std::vector<Constriction<TriangleMesh>> curves;
     detect_constrictions_checked<ConcurrencyTag>(tm, std::back_inserter(curves),
-                                                 CGAL::parameters::all_constrictions(true, np));
+                                                 CGAL::parameters::measure_prominence(false, np));
     auto handles = cut_handles_within(tm, vpm, curves, limits, round);
     if(handles.empty())
       break;

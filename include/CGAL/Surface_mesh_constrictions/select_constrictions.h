@@ -178,7 +178,8 @@ OutputIterator select_by_prominence_checked(const ConstrictionRange& constrictio
   const std::size_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number_of_constrictions),
                                                       (std::numeric_limits<std::size_t>::max)());
   const bool with_crossing = choose_parameter(get_parameter(np, internal_np::crossing_constrictions), false);
-  const bool all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
+  const bool all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false) ||
+                   !choose_parameter(get_parameter(np, internal_np::measure_prominence), true);
   const bool with_rims = choose_parameter(get_parameter(np, internal_np::rim_constrictions), false);
 
   const std::vector<Result> given(constrictions.begin(), constrictions.end());

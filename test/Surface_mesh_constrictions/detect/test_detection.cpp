@@ -321,6 +321,26 @@ TEST(Detection, EverySeedIsAccountedForWhenSomeAreDiscardedEarly)
   }
 }
 
+TEST(Detection, WithoutProminencesTheCurvesOfTheSeedsAreWrittenTheShortestFirst)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.15, 4, 10, 6));
+  std::vector<Constriction> all, curves;
+  SMC::detect_constrictions(mesh, std::back_inserter(all), SMC::parameters::all_constrictions(true));
+  SMC::detect_constrictions(mesh, std::back_inserter(curves), SMC::parameters::measure_prominence(false));
+  ASSERT_FALSE(curves.empty());
+  std::multiset<double> lengths;
+  for(const Constriction& c : all)
+    lengths.insert(c.length());
+  for(std::size_t i = 0; i < curves.size(); ++i)
+  {
+    EXPECT_TRUE(std::isnan(curves[i].prominence()) && std::isnan(curves[i].isolation()));
+    EXPECT_FALSE(curves[i].dominated_by() || curves[i].slides_off());
+    EXPECT_TRUE(curves[i].certificate().is_certified());
+    EXPECT_TRUE(i == 0 || curves[i - 1].length() <= curves[i].length());
+    EXPECT_EQ(lengths.count(curves[i].length()), 1u);
+  }
+}
+
 TEST(Detection, OfASmallMeshNoSeedIsDiscardedAndTheSelectionIsThatOfAll)
 {
   for(const test_meshes::Soup& soup : {test_meshes::torus(0.15, 4, 10, 6), test_meshes::torus(0.15, 4, 12, 8)})

@@ -38,9 +38,12 @@ std::vector<Constriction> detect_as_asked(const Mesh& mesh, const Selection& sel
                                                 SMC::parameters::certify(search.certifies, selected));
   }
   else
+  {
+    const auto measured = SMC::parameters::measure_prominence(search.measures_prominence, selected);
     SMC::detect_constrictions<Concurrency>(
         mesh, std::back_inserter(result),
-        SMC::parameters::certify(search.certifies, with_seed_sources(search.triangles_only, levels, selected)));
+        SMC::parameters::certify(search.certifies, with_seed_sources(search.triangles_only, levels, measured)));
+  }
   return result;
 }
 

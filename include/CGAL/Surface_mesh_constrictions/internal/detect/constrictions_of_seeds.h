@@ -52,7 +52,8 @@ constrictions_of_seeds(const Imported_mesh<TriangleMesh>& imported, const Progre
   using CGAL::parameters::get_parameter;
   const bool certifies = choose_parameter(get_parameter(np, internal_np::certify), true);
   const bool certified_only = choose_parameter(get_parameter(np, internal_np::certified_only), false);
-  const bool selects_all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false);
+  const bool measures = choose_parameter(get_parameter(np, internal_np::measure_prominence), true);
+  const bool selects_all = choose_parameter(get_parameter(np, internal_np::all_constrictions), false) || !measures;
   const double maximum_ratio = choose_parameter(get_parameter(np, internal_np::maximum_isoperimetric_ratio),
                                                 default_maximum_isoperimetric_ratio);
   const bool with_rims = choose_parameter(get_parameter(np, internal_np::rim_constrictions), false);
@@ -85,8 +86,10 @@ constrictions_of_seeds(const Imported_mesh<TriangleMesh>& imported, const Progre
 
   visitor.on_stage_begin(Detection_stage::SELECTION, found.size());
   Detected_hierarchy hierarchy(pm, levels, sides, network);
-  const std::size_t passed = hierarchy.close<ConcurrencyTag>(
-      found, refined, seeds, [&](std::vector<Found_curve>& curves) { certify(curves, [](std::size_t) {}); });
+  std::size_t passed = 0;
+  if(measures)
+    passed = hierarchy.close<ConcurrencyTag>(
+        found, refined, seeds, [&](std::vector<Found_curve>& curves) { certify(curves, [](std::size_t) {}); });
   statistics.barriers = static_cast<std::size_t>(std::count_if(
       seeds.begin(), seeds.end(), [](const Seed_curve& seed) { return seed.origin == Seed_origin::BARRIER; }));
   statistics.seeds = seeds.size() - statistics.barriers;
@@ -105,7 +108,11 @@ constrictions_of_seeds(const Imported_mesh<TriangleMesh>& imported, const Progre
     constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width, f.certificate));
     traces.push_back(accurate_trace(pm, arcs_of_curve(network, f.curve)));
   }
-  set_prominences(pm, sides, imported, traces, hierarchy.entries(found), constrictions);
+  if(measures)
+    set_prominences(pm, sides, imported, traces, hierarchy.entries(found), constrictions);
+  else
+    std::stable_sort(constrictions.begin(), constrictions.end(),
+                     [](const auto& a, const auto& b) { return a.length() < b.length(); });
   visitor.on_stage_end(Detection_stage::SELECTION);
   return constrictions;
 }

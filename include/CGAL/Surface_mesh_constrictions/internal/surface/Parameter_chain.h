@@ -26,6 +26,7 @@ namespace CGAL {
   DO(crossing_constrictions_t, crossing_constrictions)                                                                 \
   DO(all_constrictions_t, all_constrictions)                                                                           \
   DO(rim_constrictions_t, rim_constrictions)                                                                           \
+  DO(measure_prominence_t, measure_prominence)                                                                         \
   DO(prove_prominence_t, prove_prominence)                                                                             \
   DO(maximum_number_of_parts_t, maximum_number_of_parts)                                                               \
   DO(choked_side_t, choked_side)                                                                                       \
