@@ -43,6 +43,7 @@
 #include <CGAL/Surface_mesh_constrictions/geodesic_loop_through_locations.h>
 #include <CGAL/Surface_mesh_constrictions/geodesic_loops_at_location.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/measure_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/merge_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/nested_parts.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>

@@ -412,6 +412,8 @@ int run(const Options& options)
       detect(options, selection_for_page(options), monitor, report, &levels);
     else
       detect(options, options.selection, monitor, report, nullptr);
+    if(options.search.measures)
+      measure_curves(report);
     report.seconds.simplify = monitor.seconds(Detection_stage::SIMPLIFICATION);
     report.seconds.seeds = monitor.seconds(Detection_stage::SEEDS);
     report.seconds.refine = monitor.seconds(Detection_stage::REFINEMENT);

@@ -595,6 +595,9 @@ void describe_program(CLI::App& app, Options& options, Words& words)
       "--prove-prominence", options.search.proves_prominence,
       "add a lower bound of the prominence, which is proved: the table has it as \"at least\", JSON and CSV "
       "as an interval");
+  detect.add_flag("--measure", options.search.measures,
+                  "add the area of the cap that closes a cut along the curve, and the girths of its two sides: the "
+                  "lengths of the longest curves parallel to it (JSON and CSV)");
   add_landmarks_option(detect, options)->excludes("--near")->excludes("--policy");
   add_seeds(detect, options.search)->excludes("--near")->excludes("--landmarks");
   add_prepared_option(detect, options)->excludes("--policy")->excludes("--seeds");

@@ -58,6 +58,7 @@ struct Search
   bool certifies = true;
   bool measures_prominence = true; ///< if not, all curves are reported
   bool proves_prominence = false;
+  bool measures = false;                         ///< caps, and how wide the body gets beside each curve
   std::optional<std::array<double, 3>> location; ///< near which, instead of everywhere
 };
 

@@ -107,11 +107,15 @@ public:
     std::array<double, 2> prominence_interval = {
         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()}};
     double isolation = std::numeric_limits<double>::quiet_NaN(); ///< see `Constriction::isolation()`
-    std::optional<std::size_t> dominated_by;                     ///< see `Constriction::dominated_by()`
-    std::optional<vertex_descriptor> slides_off;                 ///< see `Constriction::slides_off()`
-    std::vector<std::size_t> crosses;                            ///< see `Constriction::crosses()`
-    std::vector<std::size_t> crosses_oddly;                      ///< see `Constriction::crosses_oddly()`
-    std::vector<std::size_t> rivals;                             ///< see `Constriction::rivals()`
+    double cap_area = std::numeric_limits<double>::quiet_NaN();  ///< see `Constriction::cap_area()`
+    /// see `Constriction::side_girths()`
+    std::array<double, 2> side_girths = {
+        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()}};
+    std::optional<std::size_t> dominated_by;     ///< see `Constriction::dominated_by()`
+    std::optional<vertex_descriptor> slides_off; ///< see `Constriction::slides_off()`
+    std::vector<std::size_t> crosses;            ///< see `Constriction::crosses()`
+    std::vector<std::size_t> crosses_oddly;      ///< see `Constriction::crosses_oddly()`
+    std::vector<std::size_t> rivals;             ///< see `Constriction::rivals()`
   };
 
   /// an empty curve
@@ -206,6 +210,14 @@ public:
   /// length of the curve; infinite if it is dominated by none, or by one of another homology class. The isolation of a
   /// mountain, likewise, is how far it is to a higher place. NaN if it has not been computed.
   double isolation() const { return m_data->isolation; }
+
+  /// the area of the cap that closes a cut along the curve, see `extract_parts()`; that of the lumen of a vessel, say.
+  /// NaN if it has not been computed, see `measure_constrictions()`.
+  double cap_area() const { return m_data->cap_area; }
+
+  /// the lengths of the longest parallel curves on the left and on the right: how far it is around the body on each
+  /// side where it is widest. NaN if they have not been computed, see `measure_constrictions()`.
+  const std::array<double, 2>& side_girths() const { return m_data->side_girths; }
 
   /// the constriction that the curve slides to when it is made longer by its prominence, given by its place in the
   /// output sequence that has this curve. It is no longer than this one. None if the curve `slides_off()`, or if it

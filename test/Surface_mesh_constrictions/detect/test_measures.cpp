@@ -3,10 +3,12 @@
 #include "include/real_meshes.h"
 #include "include/test_meshes.h"
 
+#include <CGAL/Surface_mesh_constrictions/measure_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -127,6 +129,82 @@ TEST(Measures, ACurveWithoutAreaHasNoNormal)
   EXPECT_EQ(tightened.curve.normal(), (Triple{{0, 0, 0}}));
   EXPECT_NEAR(tightened.curve.roundness(), 0, 1e-12);
   expect_near(tightened.curve.centroid(), {{0, -0.05, -0.05 / 7}}, 1e-12);
+}
+
+std::vector<Constriction> measured(const Mesh& mesh)
+{
+  std::vector<Constriction> result;
+  SMC::measure_constrictions(mesh, detect(mesh), std::back_inserter(result));
+  return result;
+}
+
+// Two bellies of radius 1 and 2, joined by a neck of radius 1/2: parallel curves are rings.
+test_meshes::Soup two_bellies()
+{
+  std::vector<std::array<double, 2>> profile;
+  const std::vector<std::array<double, 2>> corners = {{{0.5, -3}}, {{1, -2}}, {{0.5, 0}}, {{2, 4}}, {{1, 5}}};
+  for(std::size_t i = 0; i + 1 < corners.size(); ++i)
+    for(int k = 0; k < 8; ++k)
+      profile.push_back({{corners[i][0] + k * (corners[i + 1][0] - corners[i][0]) / 8,
+                          corners[i][1] + k * (corners[i + 1][1] - corners[i][1]) / 8}});
+  profile.push_back(corners.back());
+  return test_meshes::revolution_of_profile(profile, -3.2, 5.3, 64, 0, 1);
+}
+
+TEST(Measures, OfANeckBetweenTwoBelliesThatAreRings)
+{
+  const Mesh mesh = test_meshes::make_mesh(two_bellies());
+  const double pi = std::acos(-1.);
+  const std::vector<Constriction> found = measured(mesh);
+  ASSERT_EQ(found.size(), 1u);
+  const Constriction& c = found[0];
+  EXPECT_NEAR(c.length(), pi, 0.01);
+  EXPECT_NEAR(c.cap_area(), pi / 4, 0.01);
+  EXPECT_NEAR((std::min)(c.side_girths()[0], c.side_girths()[1]), 2 * pi, 0.06);
+  EXPECT_NEAR((std::max)(c.side_girths()[0], c.side_girths()[1]), 4 * pi, 0.12);
+}
+
+// Left and right are those of the areas.
+TEST(Measures, TheGirthOfASideIsThatOfTheLargerBellyWhereTheAreaIsLarger)
+{
+  const Constriction c = measured(test_meshes::make_mesh(two_bellies())).at(0);
+  EXPECT_EQ(c.areas()[0] > c.areas()[1], c.side_girths()[0] > c.side_girths()[1]);
+}
+
+TEST(Measures, OfCapsAndSidesScaleWithTheMesh)
+{
+  const Constriction one = measured(test_meshes::make_mesh(two_bellies())).at(0);
+  for(int exponent : {-300, 5, 300})
+  {
+    const Constriction c =
+        measured(test_meshes::make_mesh(test_meshes::scaled(two_bellies(), std::ldexp(1, exponent)))).at(0);
+    EXPECT_DOUBLE_EQ(c.cap_area(), std::ldexp(one.cap_area(), 2 * exponent));
+    for(std::size_t s = 0; s < 2; ++s)
+      EXPECT_DOUBLE_EQ(c.side_girths()[s], std::ldexp(one.side_girths()[s], exponent));
+  }
+}
+
+// Around the tube of a torus the parallel curves of a meridian come from both sides, and meet opposite to it.
+TEST(Measures, SidesThatMeetAreMeasuredUpToThere)
+{
+  for(const Constriction& c : measured(test_meshes::make_mesh(test_meshes::torus(0, 1, 60, 24, 0.4))))
+    for(double girth : c.side_girths())
+    {
+      EXPECT_GE(girth, c.length());
+      EXPECT_LT(girth, 3 * c.length());
+    }
+}
+
+TEST(Measures, OfRealCurvesSidesAreNoNarrowerThanTheCurve)
+{
+  for(const char* name : {"cactus.off", "elephant.off", "mushroom.off"})
+    for(const Constriction& c : measured(read(name)))
+    {
+      EXPECT_GE(c.side_girths()[0], c.length()) << name;
+      EXPECT_GE(c.side_girths()[1], c.length()) << name;
+      EXPECT_GT(c.cap_area(), 0) << name;
+      EXPECT_LT(c.cap_area(), c.length() * c.length() / (4 * std::acos(-1.)) * 1.3) << name;
+    }
 }
 
 } // namespace test_measures

@@ -341,6 +341,17 @@ TEST_F(Program, thresholds_select)
   EXPECT_NEAR(all[3], 26, 1e-12);
 }
 
+TEST_F(Program, caps_and_sides_are_measured_if_asked_for)
+{
+  const std::string curve = "detect dumbbell.off ";
+  EXPECT_EQ(json::parse(run(curve + "--json -").out)["constrictions"][0].count("cap_area"), 0u);
+  const json measured = json::parse(run(curve + "--measure --json -").out)["constrictions"][0];
+  EXPECT_NEAR(measured.at("cap_area").get<double>(), 1, 1e-12);
+  for(const json& girth : measured.at("side_girths"))
+    EXPECT_GT(girth.get<double>(), 10); // around a cube of edge 3
+  EXPECT_NE(run(curve + "--measure --csv -").out.find(",cap_area,left_girth,right_girth\n"), std::string::npos);
+}
+
 TEST_F(Program, an_interval_of_the_prominence_is_written_if_it_is_to_be_proved)
 {
   EXPECT_EQ(json::parse(run("detect dumbbell.off --json -").out)["constrictions"][0].count("prominence_interval"), 0u);

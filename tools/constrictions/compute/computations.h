@@ -35,6 +35,9 @@ std::vector<Constriction> detect_with_edge_length(const Mesh& mesh, const Select
                                                   Stage_monitor& monitor, Levels* levels);
 /// @}
 
+/// measures the caps and sides of the constrictions of the report.
+void measure_curves(Report& report);
+
 /// tightens the loops; fills the constrictions, the statistics and the remarks of the report.
 void tighten_loops(const Loops& loops, bool certifies, Stage_monitor& monitor, Report& report);
 

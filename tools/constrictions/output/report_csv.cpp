@@ -51,7 +51,7 @@ std::string field(const std::optional<Number>& number)
 // The columns of a curve, each with its name.
 std::vector<std::pair<const char*, std::string>> columns(std::size_t id, const Constriction& c,
                                                          const std::string& verdict, const File_numbering& numbering,
-                                                         bool has_intervals)
+                                                         bool has_intervals, bool has_measures)
 {
   std::optional<std::size_t> slides_off;
   if(c.slides_off())
@@ -89,6 +89,12 @@ std::vector<std::pair<const char*, std::string>> columns(std::size_t id, const C
     result.emplace_back("prominence_low", field(c.prominence_interval()[0]));
     result.emplace_back("prominence_high", field(c.prominence_interval()[1]));
   }
+  if(has_measures)
+  {
+    result.emplace_back("cap_area", field(c.cap_area()));
+    result.emplace_back("left_girth", field(c.side_girths()[0]));
+    result.emplace_back("right_girth", field(c.side_girths()[1]));
+  }
   return result;
 }
 
@@ -101,6 +107,8 @@ std::string report_as_csv(const Report& report)
   example.seeds.push_back({0, {}, CGAL::Surface_mesh_constrictions::Seed_origin::USER});
   const bool has_intervals = std::any_of(report.constrictions.begin(), report.constrictions.end(),
                                          [](const Constriction& c) { return !std::isnan(c.prominence_interval()[0]); });
+  const bool has_measures = std::any_of(report.constrictions.begin(), report.constrictions.end(),
+                                        [](const Constriction& c) { return !std::isnan(c.cap_area()); });
   std::string out;
   const auto add_line = [&out](const auto& line, const auto& text_of) {
     for(std::size_t i = 0; i < line.size(); ++i)
@@ -114,7 +122,7 @@ std::string report_as_csv(const Report& report)
       landmarks[id] = report.landmarks[i].landmark.name.empty() ? std::to_string(i) : report.landmarks[i].landmark.name;
   const auto line = [&](std::size_t id, const Constriction& c, const std::string& verdict,
                         const std::string& landmark) {
-    auto result = columns(id, c, verdict, report.file.numbering, has_intervals);
+    auto result = columns(id, c, verdict, report.file.numbering, has_intervals, has_measures);
     if(!report.landmarks.empty())
       result.emplace_back("landmark", field(landmark));
     return result;

@@ -130,6 +130,11 @@ Json curve_as_json(const Report& report, std::size_t id)
                  {"seed", seed_as_json(c.seeds().front(), numbering)}};
   if(!std::isnan(c.prominence_interval()[0]))
     result["prominence_interval"] = c.prominence_interval();
+  if(!std::isnan(c.cap_area()))
+  {
+    result["cap_area"] = c.cap_area();
+    result["side_girths"] = c.side_girths();
+  }
   if(report.is_girth)
     result["held"] = held_as_json(report.loops[id], numbering);
   return result;

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Zeroed_array.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <deque>
@@ -45,6 +46,7 @@ public:
     ++m_sweep;
     m_scale = Level_scale(length);
     m_sides_meet = sides_meet;
+    m_meeting_distance = (std::numeric_limits<double>::infinity)();
     m_front.restart();
     m_crossings = crossings_beside_pivots(m_pm, trace);
     for(Index h : m_crossings)
@@ -99,6 +101,15 @@ public:
   // how many levels of a side are complete
   std::size_t level(std::size_t s) const { return m_sides[s].level; }
 
+  // how far a level is from the start
+  double distance_of_level(std::size_t level) const { return m_scale.level(level); }
+
+  // the distance up to which a side is complete
+  double distance(std::size_t s) const { return m_scale.level(m_sides[s].level); }
+
+  // The least distance of a corner of a face in which the sides have met; infinity if they have not met so far.
+  double meeting_distance() const { return m_meeting_distance; }
+
   // the vertex that was settled last on a side; null_index if none was
   Index last_vertex(std::size_t s) const
   {
@@ -136,7 +147,49 @@ public:
     return strips;
   }
 
+  // The lengths of the closed curves of the boundary of a side at a level that is complete, before the sides meet. `sum`
+  // is the length of the whole boundary, as `advance()` has returned it. Of the curves that come through faces that the
+  // start cuts, or along a hole, only one has a known length, and all of them are left out if there are more. Linear in
+  // the swept region.
+  std::vector<double> curve_lengths(std::size_t s, std::size_t level, double sum)
+  {
+    const double d = m_scale.level(level);
+    std::vector<double> result;
+    std::size_t open = 0;
+    for(const Strip& strip : boundary(s, level))
+    {
+      const auto is_cut = [this](Index h) { return m_front.is_barred(m_pm.face(h)); };
+      if(std::any_of(strip.begin(), strip.end(), is_cut))
+      {
+        ++open;
+        continue;
+      }
+      double length = 0;
+      Vector3 previous = level_point(strip.back(), s, d);
+      for(Index h : strip)
+      {
+        const Vector3 p = level_point(h, s, d);
+        length += norm(p - previous);
+        previous = p;
+      }
+      result.push_back(length);
+      sum -= length;
+    }
+    if(open == 1)
+      result.push_back(sum);
+    return result;
+  }
+
 private:
+  // The point of an edge, with its ends in different places of the sweep, at a distance.
+  Vector3 level_point(Index h, std::size_t s, double distance) const
+  {
+    const Index from = m_pm.source(h), to = m_pm.target(h);
+    const double a = m_front.distance(from, s), b = m_front.distance(to, s);
+    const Vector3 p = position(m_pm, from);
+    return p + ((distance - a) / (b - a)) * (position(m_pm, to) - p);
+  }
+
   struct Side
   {
     Side(const Progressive_mesh& pm, const Edge_lengths& edge_lengths) : rims(pm, edge_lengths) {}
@@ -263,7 +316,11 @@ private:
           ; // the other side's alone
         else if(here.first == 3 && corners(f, 1 - s).first == 3)
           for(std::size_t side = 0; side < 2; ++side)
+          {
             m_sides[side].lengths.add(m_scale, triangle(f, side), distances(f, 1 - side));
+            const std::array<double, 3> d = distances(f, side);
+            m_meeting_distance = (std::min)(m_meeting_distance, *std::min_element(d.begin(), d.end()));
+          }
         else
           m_sides[s].touched.emplace_back(f, m_front.reached(s));
       }
@@ -299,6 +356,7 @@ private:
   Zeroed_array<Index> m_is_passed;  // the last boundary that was followed across a halfedge
   Index m_sweep = 0, m_boundary = 0;
   double m_distance = 0; // up to which a boundary is computed
+  double m_meeting_distance = (std::numeric_limits<double>::infinity)();
   bool m_sides_meet = false;
   Level_scale m_scale{1};
 };
