@@ -211,8 +211,8 @@ public:
   /// mountain, likewise, is how far it is to a higher place. NaN if it has not been computed.
   double isolation() const { return m_data->isolation; }
 
-  /// the area of the cap that closes a cut along the curve, see `extract_parts()`; that of the lumen of a vessel, say.
-  /// NaN if it has not been computed, see `measure_constrictions()`.
+  /// the area of a cap that closes a cut along the curve: that of the lumen of a vessel, say. NaN if it has not been
+  /// computed, see `measure_constrictions()`.
   double cap_area() const { return m_data->cap_area; }
 
   /// the lengths of the longest parallel curves on the left and on the right: how far it is around the body on each

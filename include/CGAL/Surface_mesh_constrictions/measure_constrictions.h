@@ -16,6 +16,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -25,17 +27,35 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The area of the cap that closes a cut along a curve.
+// Caps of curves with more points than this are spanned by so many points of the curve.
+constexpr std::size_t most_cap_corners = 256;
+
+// The least area of a triangulation of a curve: of its points or, if there are many, of points at equal distances along
+// it.
 inline double cap_area(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
 {
-  Cap_polygon polygon;
+  std::vector<Vector3> points;
   for(const Trace_point& p : trace)
+    points.push_back(position(pm, p));
+  Cap_polygon polygon;
+  const auto add = [&polygon](const Vector3& x) { polygon.emplace_back(x.x, x.y, x.z); };
+  if(points.size() <= most_cap_corners)
+    std::for_each(points.begin(), points.end(), add);
+  else
   {
-    const Vector3 x = position(pm, p);
-    polygon.emplace_back(x.x, x.y, x.z);
+    const double step = length(pm, trace) / most_cap_corners;
+    double before = 0; // along the curve, of the point with the number i
+    for(std::size_t i = 0; i < points.size(); ++i)
+    {
+      const Vector3 &p = points[i], &q = points[(i + 1) % points.size()];
+      const double edge = norm(q - p);
+      for(; polygon.size() < most_cap_corners && polygon.size() * step <= before + edge;)
+        add(p + (edge > 0 ? (polygon.size() * step - before) / edge : 0) * (q - p));
+      before += edge;
+    }
   }
   double area = 0;
-  for(const auto& t : triangulate_cap(polygon, [](std::size_t, std::size_t) { return false; }))
+  for(const auto& t : least_triangulation(polygon, [](std::size_t, std::size_t) { return false; }))
   {
     const auto normal = cross_product(polygon[t[1]] - polygon[t[0]], polygon[t[2]] - polygon[t[0]]);
     area += std::sqrt(normal.squared_length()) / 2;
@@ -80,8 +100,8 @@ OutputIterator measure_constrictions_checked(const TriangleMesh& tm, const Const
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// measures constrictions: the area of the cap that closes a cut along each, and how wide the surface gets beside it.
 ///
-/// The cap is a triangulation of the curve without further vertices, the one that `extract_parts()` closes parts with
-/// where the surface allows it. It is flat if the curve is.
+/// The cap is the triangulation of the curve without further vertices that has the least area; of a curve with more than
+/// 256 points, that of 256 points at equal distances along it. It is flat if the curve is.
 ///
 /// A parallel curve is a connected curve of points at one distance from the constriction, measured along the surface
 /// on one side. Distances are those of fast marching, so the curves are polygons on the mesh. The girth of a side is the
@@ -116,8 +136,8 @@ OutputIterator measure_constrictions_checked(const TriangleMesh& tm, const Const
 ///
 /// \return the output iterator, past the last element that was written
 /// \throws Invalid_input for a mesh that cannot be used, or if locations of a constriction are no curve on it
-/// \cost for each curve, O(n log n) for n faces, plus the swept region for a hundred distances or so, plus that of
-///       `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`
+/// \cost for each curve, O(n log n) for n faces, plus the swept region for a hundred distances or so, plus the cube of
+///       the number of corners of the cap
 ///
 /// \sa `detect_constrictions()`
 /// \sa `plane_section_at_location()`

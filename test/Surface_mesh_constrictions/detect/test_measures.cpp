@@ -139,7 +139,7 @@ std::vector<Constriction> measured(const Mesh& mesh)
 }
 
 // Two bellies of radius 1 and 2, joined by a neck of radius 1/2: parallel curves are rings.
-test_meshes::Soup two_bellies()
+test_meshes::Soup two_bellies(int around = 64)
 {
   std::vector<std::array<double, 2>> profile;
   const std::vector<std::array<double, 2>> corners = {{{0.5, -3}}, {{1, -2}}, {{0.5, 0}}, {{2, 4}}, {{1, 5}}};
@@ -148,7 +148,7 @@ test_meshes::Soup two_bellies()
       profile.push_back({{corners[i][0] + k * (corners[i + 1][0] - corners[i][0]) / 8,
                           corners[i][1] + k * (corners[i + 1][1] - corners[i][1]) / 8}});
   profile.push_back(corners.back());
-  return test_meshes::revolution_of_profile(profile, -3.2, 5.3, 64, 0, 1);
+  return test_meshes::revolution_of_profile(profile, -3.2, 5.3, around, 0, 1);
 }
 
 TEST(Measures, OfANeckBetweenTwoBelliesThatAreRings)
@@ -162,6 +162,13 @@ TEST(Measures, OfANeckBetweenTwoBelliesThatAreRings)
   EXPECT_NEAR(c.cap_area(), pi / 4, 0.01);
   EXPECT_NEAR((std::min)(c.side_girths()[0], c.side_girths()[1]), 2 * pi, 0.06);
   EXPECT_NEAR((std::max)(c.side_girths()[0], c.side_girths()[1]), 4 * pi, 0.12);
+}
+
+TEST(Measures, OfACapWithHundredsOfCorners)
+{
+  const Constriction c = measured(test_meshes::make_mesh(two_bellies(300))).at(0);
+  EXPECT_GT(c.locations().size(), 256u);
+  EXPECT_NEAR(c.cap_area(), std::acos(-1.) / 4, 5e-3);
 }
 
 // Left and right are those of the areas.
