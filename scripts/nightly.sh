@@ -22,7 +22,7 @@
 #   selection                           the default call selects what is selected of all, on all of CGAL's meshes of up
 #                                       to 60,000 faces; prints the table of the manual
 #   curves                              the certificates of all curves of large meshes, of which .ci/run looks at those
-#                                       that are selected
+#                                       that are selected, and girths at 10,000 places
 #   completeness                        which strict constrictions of 300 small meshes random walks find and the
 #                                       detection misses; prints the table of the manual
 #   stability                           whether constrictions of twelve meshes are found again on changed ones;
@@ -82,7 +82,8 @@ run() { # STEP
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&
         cmake --build --preset release --parallel "$(scripts/number_of_jobs.sh 3900)" \
           --target test_certificates test_detection &&
-        CONSTRICTIONS_ALL_CURVES=1 ctest --preset release -R 'Certificates/|Real_meshes' --parallel "$(nproc)"
+        CONSTRICTIONS_ALL_CURVES=1 CONSTRICTIONS_ALL_PLACES=1 ctest --preset release \
+          -R 'Certificates/|Real_meshes|GirthAtRandomPlaces' --parallel "$(nproc)"
       ;;
     completeness)
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&
