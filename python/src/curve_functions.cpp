@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_constrictions/Constriction_query.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
+#include <CGAL/Surface_mesh_constrictions/measure_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/seed_sources.h>
 
@@ -145,5 +146,12 @@ void read_prepared(const Surface& surface, std::string_view file)
 }
 
 SMC::Certificate certify(const Mesh& mesh, const Constriction& curve) { return SMC::certify_constriction(mesh, curve); }
+
+std::vector<Constriction> measure(const Mesh& mesh, const std::vector<Constriction>& curves)
+{
+  std::vector<Constriction> result;
+  SMC::measure_constrictions(mesh, curves, std::back_inserter(result));
+  return result;
+}
 
 } // namespace constrictions

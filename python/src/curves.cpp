@@ -223,6 +223,13 @@ const std::vector<Attribute<Surface_curve>>& attributes_of_curve()
          "The area that the curve must sweep to become the one that it is dominated by, divided by its squared\n"
          "length; infinite if there is none, NaN if it has not been computed.",
          [](const C& c) -> py::object { return py::float_(c.curve.isolation()); }},
+        {"cap_area",
+         "The area of the cap that closes a cut along the curve. NaN if it has not been computed; see measure().",
+         [](const C& c) -> py::object { return py::float_(c.curve.cap_area()); }},
+        {"side_girths",
+         "(2,) float64: the lengths of the longest curves parallel to it, on the left and on the right. NaN if they\n"
+         "have not been computed; see measure().",
+         [](const C& c) { return as_array(c.curve.side_girths()); }},
         {"isoperimetric_ratio", "length^2 / (4 pi A) with A the smaller of the two areas.",
          [](const C& c) -> py::object { return py::float_(c.curve.isoperimetric_ratio()); }},
         {"roundness", "How much it is like a circle: 1 for one.",

@@ -76,6 +76,7 @@ void read_prepared(const Surface& surface, std::string_view file);
 /// @{
 Detected detect(const Surface& surface, const Search& search, Monitor& monitor);
 CGAL::Surface_mesh_constrictions::Certificate certify(const Mesh& mesh, const Constriction& curve);
+std::vector<Constriction> measure(const Mesh& mesh, const std::vector<Constriction>& curves);
 /// @}
 
 } // namespace constrictions

@@ -183,6 +183,17 @@ SMC::Certificate certificate_of(const Surface_pointer& surface, const py::object
   return result;
 }
 
+Surface_curves measured(const Surface_pointer& surface, const py::iterable& given)
+{
+  const std::vector<Constriction> curves = curves_of_user(surface, given);
+  std::vector<Constriction> measures;
+  compute(py::none(), [&](Monitor&) { measures = measure(surface->mesh, curves); });
+  Surface_curves result;
+  for(const Constriction& c : measures)
+    result.curves.push_back(std::make_shared<Surface_curve>(Surface_curve{surface, c, {}}));
+  return result;
+}
+
 Segmentation segmentation_by(const Surface_pointer& surface, const py::iterable& given,
                              std::optional<std::size_t> parts)
 {
@@ -375,6 +386,16 @@ curve: a Constriction of this surface, or a pair of arrays (faces, barycentric),
 
 Returns a Certificate. Raises InvalidInput, which names the point, for one that is not on an edge; ValueError for a
 constriction of another surface.)")
+      .def("measure", &measured, py::arg("curves"),
+           R"(measure(curves)
+
+Measures closed curves: the area of the cap that closes a cut along each, and how long the longest curves parallel to it
+are on its two sides. 1 - length / min(side_girths) is how much narrower the body is there than on its thinner side.
+
+curves: a sequence of curves, as certify() takes them.
+
+Returns Constrictions, the same curves in the same order, with `cap_area` and `side_girths`. Raises InvalidInput and
+ValueError as certify(), and for a curve that is not closed. Ctrl-C is noticed when it is done.)")
       .def("segment", &segmentation_by, py::arg("curves"), py::kw_only(), py::arg("parts") = py::none(),
            R"(segment(curves, *, parts=None)
 

@@ -76,6 +76,20 @@ def test_curves_of_another_surface_are_refused(found):
         other.segment([other.detect()[0], found[0]])
 
 
+def test_caps_and_sides_are_measured(cactus, found):
+    assert np.isnan(found[0].cap_area) and np.isnan(found[0].side_girths).all()
+    measured = cactus.measure(found)
+    assert [c.length for c in measured] == [c.length for c in found]
+    for c in measured:
+        assert 0 < c.cap_area < 1.1 * c.length**2 / (4 * np.pi)
+        assert c.side_girths.shape == (2,) and (c.side_girths > c.length).all()
+    assert measured.as_dict()["cap_area"].shape == (3,)
+    alone = cactus.measure([(found[0].faces, found[0].barycentric)])
+    assert alone[0].side_girths == pytest.approx(measured[0].side_girths)
+    with pytest.raises(constrictions.InvalidInput):
+        cactus.measure([(found[0].faces[:5], found[0].barycentric[:5])])
+
+
 def test_parts_are_told(cactus, found):
     parts = cactus.segment(found)
     assert len(parts) == 4 and repr(parts) == "<constrictions.Segmentation: 4 parts, 1236 faces>"
