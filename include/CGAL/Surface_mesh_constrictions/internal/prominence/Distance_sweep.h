@@ -70,6 +70,10 @@ public:
     }
   }
 
+  // Whether the start, which has not been left yet, has a vertex on a side. If not, the side is no disc, and all of it
+  // lies between strands of the start; then no boundary is found there.
+  bool has_vertices(std::size_t s) { return m_front.next_distance(s) < (std::numeric_limits<double>::infinity)(); }
+
   // Goes on until the next boundary on a side is complete, and returns its length. Both sides go on if they meet.
   double advance(std::size_t s)
   {
