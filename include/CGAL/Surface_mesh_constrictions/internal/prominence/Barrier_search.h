@@ -313,8 +313,7 @@ private:
     }
     m_sweep.start(trace, m_length, !m_separates);
     for(std::size_t s = 0; s < 2; ++s)
-      if(!m_sweep.has_vertices(s))
-        m_sides[s].block();
+      m_sides[s].is_done = m_sides[s].is_blocked = !m_sweep.can_leave(s);
     for(;;)
     {
       std::size_t s = m_sides[1].highest() < m_sides[0].highest() ? 1 : 0;
@@ -330,13 +329,15 @@ private:
       climb(s);
     }
     if(m_lowest.end == Barrier_end::NONE)
-      m_lowest.length = (std::min)(m_sides[0].highest(), m_sides[1].highest());
+      m_lowest.length = m_sides[0].is_blocked != m_sides[1].is_blocked
+                            ? m_sides[m_sides[0].is_blocked ? 1 : 0].highest()
+                            : (std::min)(m_sides[0].highest(), m_sides[1].highest());
     return std::move(m_lowest);
   }
 
   struct Side
   {
-    bool is_done;
+    bool is_done, is_blocked;
     std::vector<double> lengths;       // of the boundaries, by level
     std::vector<double> highest_up_to; // by level: the greatest of them so far
     double next_height;                // at which the boundary is tightened
@@ -345,13 +346,6 @@ private:
     std::size_t before;                // the last level at which it was found before the pass
 
     double highest() const { return highest_up_to.back(); }
-
-    // There is no way on this side.
-    void block()
-    {
-      is_done = true;
-      highest_up_to.back() = (std::numeric_limits<double>::infinity)();
-    }
 
     void restart(double length, double height)
     {

@@ -120,11 +120,13 @@ private:
     }
   }
 
-  // Where one end of the gaps is bent at a pivot. The gaps at one pivot are a fan, in which it does not move.
-  bool is_bent(std::size_t i) const
+  // Whether the curve is bent at a crossing between two others: at a pivot that it passes between them. The crossings
+  // beside one pivot are a fan, in which it does not move.
+  bool is_bent(std::size_t i, std::size_t begin, std::size_t end) const
   {
     const Index v = m_crossings[i].pivot;
-    return v != null_index && (m_crossings[previous(i)].pivot != v || m_crossings[next(i)].pivot != v);
+    return v != null_index && v != m_crossings[begin].pivot && v != m_crossings[end].pivot &&
+           (m_crossings[previous(i)].pivot != v || m_crossings[next(i)].pivot != v);
   }
 
   // How much longer the curve gets at most if it is drawn together at one of some consecutive gaps, which lie in a
@@ -147,7 +149,7 @@ private:
       }
       const Vector2 along = portal.left - portal.right, p = portal.right + m_crossings[i].parameter * along,
                     q = portal.left - m_crossings[j].parameter * along;
-      if(i == first || i == last || is_bent(i) || is_bent(j))
+      if(i == first || i == last || is_bent(i, first, last) || is_bent(j, m_across[first], m_across[last]))
       {
         if(i != first)
           least = (std::min)(least, norm(q - p_before) + norm(p - q_before) - norm(p - p_before) - norm(q - q_before));
