@@ -23,7 +23,7 @@ namespace internal {
 struct Pinch
 {
   double rise;              // how much longer the curve gets at most on the way there
-  std::vector<Strip> parts; // the halfedges that the two curves cross, in order, beside the pivots on that side
+  std::vector<Strip> parts; // the halfedges that each of the two crosses, in order, beside the pivots on that side
 };
 
 // Finds the pinches of a curve on its left.
@@ -61,11 +61,7 @@ public:
         if(k == last)
           break;
       }
-      Pinch pinch = {rise(first, last), {}};
-      for(const Strip& part : {between(last, m_across[last]), between(m_across[first], first)})
-        if(!part.empty())
-          pinch.parts.push_back(part);
-      result.push_back(std::move(pinch));
+      result.push_back({rise(first, last), {between(last, m_across[last]), between(m_across[first], first)}});
     }
     return result;
   }
@@ -85,7 +81,7 @@ private:
   std::size_t previous(std::size_t i) const { return i > 0 ? i - 1 : m_crossings.size() - 1; }
 
   // Notes of each crossing the one across the gap on its left, if there is one: on the same edge, in the other
-  // direction, and with no other one between.
+  // direction, and with no other one between. Where the curve crosses an edge and turns back at once there is no gap.
   void find_gaps(const std::vector<Trace_point>& trace)
   {
     m_crossings.clear();
@@ -113,7 +109,8 @@ private:
     for(std::size_t i = 0; i + 1 < order.size(); ++i)
     {
       const On_edge &x = order[i], &y = order[i + 1];
-      if(x.edge != y.edge || m_crossings[x.crossing].halfedge != x.edge || m_crossings[y.crossing].halfedge == y.edge)
+      if(x.edge != y.edge || m_crossings[x.crossing].halfedge != x.edge || m_crossings[y.crossing].halfedge == y.edge ||
+         next(x.crossing) == y.crossing || next(y.crossing) == x.crossing)
         continue;
       m_across[x.crossing] = y.crossing;
       m_across[y.crossing] = x.crossing;
