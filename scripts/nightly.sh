@@ -7,7 +7,7 @@
 #   scripts/nightly.sh [STEP...]        all steps, if none is given
 #
 #   coverage                            which lines of include/ no test executes
-#   mutation-certificate, mutation-tightening, mutation-verification
+#   mutation-certificate, mutation-tightening, mutation-verification, mutation-prominence, mutation-selection
 #                                       which comparisons can be flipped without a test that notices
 #   configurations                      what .ci/run leaves out: the whole suite with the sanitizers of both compilers, and
 #                                       the same curves in the debug builds and with Clang
@@ -31,7 +31,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 [ $# -gt 0 ] || set -- headers examples meshes selection curves completeness stability coverage \
-  mutation-{certificate,tightening,verification} configurations arithmetic faults fuzz threads
+  mutation-{certificate,tightening,verification,prominence,selection} configurations arithmetic faults fuzz threads
 mkdir -p build/nightly
 # scripts/test.sh or another step may have configured the same folder for something else.
 whole=(-DWITH_{TOOLS,EXAMPLES,LONG_TESTS,TEST_PROGRAMS}=ON -DWITH_QUICK_COMPILATION=OFF -DCONSTRICTIONS_TEST_PREFIX=)

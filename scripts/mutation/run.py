@@ -21,7 +21,7 @@ import sys
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
-HEADERS = "include/CGAL/Surface_mesh_constrictions/internal"
+HEADERS = "include/CGAL/Surface_mesh_constrictions"
 GROUPS = {
     "certificate": {
         "headers": ["Certifier.h", "Side_angle.h", "Exact_simplicity.h", "Exact_settler.h", "Sign_prover.h",
@@ -36,6 +36,16 @@ GROUPS = {
     "verification": {
         "headers": ["Arc_verifier.h"],
         "programs": ["test_verification"],
+    },
+    "prominence": {
+        "headers": ["Barrier_search.h", "Boundary_tightener.h", "Descents.h", "Detected_hierarchy.h", "Distance_front.h",
+                    "Distance_sweep.h", "Front_start.h", "Level_lengths.h", "pinches.h", "vertex_passes.h"],
+        "programs": ["test_detection"],
+    },
+    "selection": {
+        "headers": ["select_constrictions.h", "composed_constrictions.h", "ranks_before.h", "remove_beside_others.h",
+                    "rivals.h"],
+        "programs": ["test_detection"],
     },
 }
 # Binary operators have a space on both sides; `> >` closes template arguments.
@@ -59,10 +69,10 @@ class Comparison:
 
 
 def path_of(header):
-    """The path of an internal header, whichever stage it belongs to."""
-    found = list((PROJECT / HEADERS).glob(f"*/{header}"))
+    """The path of a header: a public one, or an internal one, whichever stage it belongs to."""
+    found = [path for pattern in (header, f"internal/*/{header}") for path in (PROJECT / HEADERS).glob(pattern)]
     if len(found) != 1:
-        raise SystemExit(f"{len(found)} headers {header} in the folders of {HEADERS}")
+        raise SystemExit(f"{len(found)} headers {header} in {HEADERS} and its folders")
     return str(found[0].relative_to(PROJECT))
 
 

@@ -200,7 +200,8 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
 /// bounded by closed curves that together are homologous to the curve. Now and then the function tightens them. Before
 /// the pass they do not become shorter than *L*; behind the pass they do. The barrier of the side is the greatest
 /// length up to the first level behind the pass. The function always sweeps on the side whose barrier is lower so far,
-/// and so nothing that is higher than the lowest barrier.
+/// and so nothing that is higher than the lowest barrier. Where two stretches of the curve run along each other with no
+/// vertex between them, what it takes to draw them together counts, too.
 ///
 /// This is an upper bound of the least barrier over all ways on which the curve may split into several: the curve can
 /// be moved through the level sets, and tightening only shortens. The lengths are exact but for rounding, whatever the

@@ -29,16 +29,17 @@ inline Pivot_fan pivot_fan(const Progressive_mesh& pm, const std::vector<Trace_p
           from.is_pivot()};
 }
 
-// The halfedges that a closed geodesic crosses when it is moved a little to its left at its pivots, in order. The
-// source of each is on the right of the curve; two consecutive ones share a vertex and a face.
-inline std::vector<Index> crossings_beside_pivots(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
+// Calls f(h, i) for the halfedges h that a closed geodesic crosses when it is moved a little to its left at its pivots,
+// in order, and the place i of the point in the trace: of the crossing, or of the pivot. The source of each is on the
+// right of the curve, or is the pivot; two consecutive ones share a vertex and a face.
+template <class F>
+void for_each_crossing_beside_pivots(const Progressive_mesh& pm, const std::vector<Trace_point>& trace, F f)
 {
-  std::vector<Index> result;
   for(std::size_t i = 0; i < trace.size(); ++i)
   {
     if(!trace[i].is_pivot())
     {
-      result.push_back(trace[i].halfedge);
+      f(trace[i].halfedge, i);
       continue;
     }
     const Pivot_fan fan = pivot_fan(pm, trace, i);
@@ -47,10 +48,17 @@ inline std::vector<Index> crossings_beside_pivots(const Progressive_mesh& pm, co
     {
       if(h == fan.out && fan.in != fan.out)
         break;
-      result.push_back(h);
+      f(h, i);
       h = pm.cw(h);
     } while(h != fan.out);
   }
+}
+
+// The halfedges alone.
+inline std::vector<Index> crossings_beside_pivots(const Progressive_mesh& pm, const std::vector<Trace_point>& trace)
+{
+  std::vector<Index> result;
+  for_each_crossing_beside_pivots(pm, trace, [&result](Index h, std::size_t) { result.push_back(h); });
   return result;
 }
 

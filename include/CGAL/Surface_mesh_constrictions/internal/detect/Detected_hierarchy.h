@@ -49,8 +49,8 @@ public:
 
   // Measures the curves that have been found, and adds those that they slide to: to `found`, sorted by length and each
   // once, and their seeds to `refined` and `seeds`. A curve on the way that hardly holds itself is skipped.
-  // certify(found) certifies new curves, and drops those that are not constrictions. Returns the number of seeds of
-  // skipped curves. Cost: that of `Barrier_search::search()` for each curve.
+  // certify(found) certifies new curves, and drops those that are not constrictions; the way leads on from these, too.
+  // Returns the number of seeds of skipped curves. Cost: that of `Barrier_search::search()` for each curve.
   template <class ConcurrencyTag, class Certify>
   std::size_t close(std::vector<Found_curve>& found, std::vector<Refined_curve>& refined,
                     std::vector<Seed_curve>& seeds, const Certify& certify)
@@ -85,7 +85,10 @@ public:
         if(e.prominence < negligible_prominence && e.slides_off == null_index && e.has_end)
           m_passed.push_back(f.curve);
         else
+        {
           held.push_back(f);
+          m_held.emplace(f.curve, e);
+        }
       }
       certify(held);
       found.insert(found.end(), held.begin(), held.end());
@@ -102,8 +105,9 @@ public:
     for(std::size_t i = 0; i < found.size(); ++i)
     {
       const Entry& e = *entry(found[i].curve);
-      Hierarchy_entry h = {e.prominence, std::nullopt, e.slides_off, e.has_end};
-      const auto to = place.find(destination(e, place));
+      const Entry& last = last_on_way(e, place);
+      Hierarchy_entry h = {e.prominence, std::nullopt, e.separates ? last.slides_off : null_index, e.has_end};
+      const auto to = place.find(last.slides_to);
       if(to != place.end() && rank[to->second] < rank[i])
         h.dominated_by = to->second;
       result.push_back(h);
@@ -118,6 +122,7 @@ private:
   {
     double prominence;
     bool has_end;
+    bool separates;
     bool is_tie = false; // it slides to a curve of the same length
     Index slides_off = null_index;
     std::size_t slides_to = none; // seed of the curve
@@ -135,7 +140,7 @@ private:
 
   // Skipped curves may slide to each other: if correction has made twins one curve, or has changed the length of one,
   // each may stand for the other. Then the first one in a ring joins `added`, to be measured again, without ties. If it
-  // was already measured without ties, the ways along the ring end at it.
+  // was already measured without ties, or if all in the ring have been dropped, the ways along the ring end at it.
   void break_rings(const std::vector<Found_curve>& found, std::vector<Found_curve>& added)
   {
     const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
@@ -155,10 +160,19 @@ private:
         c = next(c);
       if(c == null_index || way_of.at(c) != way)
         continue;
-      Index first = c;
-      for(Index d = next(c); d != c; d = next(d))
-        if(tie_key(m_network, d) < tie_key(m_network, first))
+      Index first = null_index;
+      Index d = c;
+      do
+      {
+        if(!m_network.is_empty(d) && (first == null_index || tie_key(m_network, d) < tie_key(m_network, first)))
           first = d;
+        d = next(d);
+      } while(d != c);
+      if(first == null_index)
+      {
+        m_held.at(c).slides_to = none;
+        continue;
+      }
       if(!m_without_ties.insert(first).second)
       {
         for(std::size_t r : m_network.curve(first).seeds)
@@ -189,7 +203,7 @@ private:
       const Entry* const e = entry(found[i].curve);
       if(e == nullptr || e->slides_to == none)
         continue;
-      const auto at = place.find(destination(*e, place));
+      const auto at = place.find(last_on_way(*e, place).slides_to);
       const std::size_t to = at == place.end() ? none : at->second;
       is_wrong[i] = to == none ? e->is_tie : rank[to] >= rank[i];
       if(e->is_tie && to != none && to != i &&
@@ -221,6 +235,7 @@ private:
           if(!is_wrong[tie.first])
             continue;
           Entry e;
+          e.separates = entry(found[tie.first].curve)->separates;
           e.prominence = stack.back().second;
           e.has_end = true;
           e.is_tie = true;
@@ -291,18 +306,18 @@ private:
     return result;
   }
 
-  // The end of the way from a curve on: a seed of the first found curve on it.
-  std::size_t destination(const Entry& from, const std::unordered_map<std::size_t, std::size_t>& found) const
+  // The last entry on the way from one: of a curve that slides to one that is found, or to none that is known.
+  const Entry& last_on_way(const Entry& from, const std::unordered_map<std::size_t, std::size_t>& found) const
   {
     const Entry* e = &from;
     while(e->slides_to != none && found.count(e->slides_to) == 0)
     {
       const Entry* const next = entry(m_curves.at(e->slides_to));
       if(next == nullptr)
-        return none;
+        break;
       e = next;
     }
-    return e->slides_to;
+    return *e;
   }
 
   const Entry* entry(Index curve) const
@@ -310,7 +325,8 @@ private:
     for(std::size_t r : m_network.curve(curve).seeds)
       if(r < m_entries.size() && m_entries[r])
         return &*m_entries[r];
-    return nullptr;
+    const auto held = m_held.find(curve);
+    return held != m_held.end() && m_network.is_empty(curve) ? &held->second : nullptr;
   }
 
   // Writes the entries of curves of the network. Returns new curves that they slide to.
@@ -348,6 +364,7 @@ private:
       Entry e;
       e.prominence = p.value;
       e.has_end = p.end != Barrier_end::NONE;
+      e.separates = curves[i].separates;
       e.slides_off = p.vertex;
       e.place = p.place;
       if(p.end == Barrier_end::CURVE)
@@ -379,6 +396,7 @@ private:
   std::unordered_set<Index> m_without_ties;        // curves of the network
   std::unordered_set<Index> m_on_input;            // curves of the network whose neighbours are looked for on the input
   std::vector<Index> m_passed;                     // curves of the network that are not found, but were measured
+  std::unordered_map<Index, Entry> m_held;         // as measured, of curves of the network that may have been dropped
 };
 
 } // namespace internal

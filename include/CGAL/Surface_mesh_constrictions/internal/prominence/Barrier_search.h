@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Boundary_tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Descents.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Distance_sweep.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/pinches.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/vertex_passes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
@@ -60,7 +61,8 @@ public:
 
   // `lengths` and `angles` of the surface. Linear in the size of the mesh.
   Barrier_search(const Progressive_mesh& pm, const Edge_lengths& lengths, const Corner_angles& angles)
-    : m_sweep(pm, lengths), m_angles(angles), m_tightener(pm, angles), m_descents(m_tightener, angles)
+    : m_sweep(pm, lengths), m_angles(angles), m_tightener(pm, angles), m_descents(m_tightener, angles),
+      m_pinch_finder(pm)
   {}
 
   Boundary_tightener& tightener() { return m_tightener; }
@@ -129,8 +131,12 @@ private:
     Barrier best = pass_vertices(greatest_length);
     if(best.length <= (1 + negligible_prominence) * m_goal_length)
       return best;
+    find_pinches(trace);
+    Barrier pinched = pass_pinches((std::min)(best.length, greatest_length));
+    if(pinched.end != Barrier_end::NONE)
+      best = std::move(pinched);
     Barrier swept = sweep(m_goal, trace, (std::min)(best.length, greatest_length));
-    if(swept.length < best.length || best.end == Barrier_end::NONE)
+    if(best.end == Barrier_end::NONE || (swept.end != Barrier_end::NONE && swept.length < best.length))
       best = std::move(swept);
     // Around a bend level sets fall behind on the outside. Where they have come into the basin of a longer curve, the
     // sweep from that one is better aligned; the lowest such curve first.
@@ -156,7 +162,9 @@ private:
       }
       passed.push_back(by.curve);
       m_barrier_before = by.barrier;
-      Barrier found = sweep(by.curve, internal::trace(m_tightener.surface(), m_tightener.arcs(by.curve)), best.length);
+      const std::vector<Trace_point> its_trace = internal::trace(m_tightener.surface(), m_tightener.arcs(by.curve));
+      find_pinches(its_trace);
+      Barrier found = sweep(by.curve, its_trace, best.length);
       found.length = (std::max)(found.length, by.barrier);
       if((found.end == Barrier_end::CURVE || found.end == Barrier_end::POINT) && found.length < best.length)
         best = std::move(found);
@@ -221,6 +229,34 @@ private:
     return {(std::numeric_limits<double>::infinity)(), Barrier_end::NONE, null_index, Strip(), null_index};
   }
 
+  // Finds the pinches of a curve with this trace on both sides.
+  void find_pinches(const std::vector<Trace_point>& trace)
+  {
+    m_pinches[0] = m_pinch_finder(trace);
+    m_pinches[1] = m_pinch_finder(reversed(m_tightener.surface(), trace));
+  }
+
+  // The lowest way found over one pinch of the goal, of less than a length; its end is NONE if there is none.
+  Barrier pass_pinches(double less_than)
+  {
+    std::vector<const Pinch*> order;
+    for(const std::vector<Pinch>& side : m_pinches)
+      for(const Pinch& p : side)
+        order.push_back(&p);
+    std::stable_sort(order.begin(), order.end(), [](const Pinch* p, const Pinch* q) { return p->rise < q->rise; });
+    for(const Pinch* p : order)
+    {
+      const double height = m_goal_length + p->rise;
+      if(!(height < less_than))
+        break;
+      Tightened_boundary b = m_tightener.tighten(p->parts, height, m_goal_length * (1 + equal_length_tolerance));
+      if(b.is_simple && (b.longest != null_index || m_separates) && is_lower(b))
+        return {height, b.longest == null_index ? Barrier_end::POINT : Barrier_end::CURVE, b.longest,
+                std::move(b.strip), b.longest == null_index ? b.vertex : null_index};
+    }
+    return {(std::numeric_limits<double>::infinity)(), Barrier_end::NONE, null_index, Strip(), null_index};
+  }
+
   // The curve behind a pass of a curve; sets the height of the pass. Held at the vertex and tightened the curve gets
   // shorter. If it then becomes the old curve when it is let go to the near side, the pass is no higher than that.
   Tightened_boundary behind(Index curve, double height_before, const Vertex_pass& pass, double& height)
@@ -267,9 +303,17 @@ private:
     m_start = start;
     m_length = m_tightener.length(start);
     m_lowest = {(std::numeric_limits<double>::infinity)(), Barrier_end::NONE, null_index, Strip(), null_index};
-    for(Side& s : m_sides)
-      s.restart(m_length);
+    for(std::size_t s = 0; s < 2; ++s)
+    {
+      // the first boundary is that of what is left when all pinches have been passed
+      double rise = 0;
+      for(const Pinch& p : m_pinches[s])
+        rise += p.rise;
+      m_sides[s].restart(m_length, m_length + rise);
+    }
     m_sweep.start(trace, m_length, !m_separates);
+    for(std::size_t s = 0; s < 2; ++s)
+      m_sides[s].is_done = m_sides[s].is_blocked = !m_sweep.can_leave(s);
     for(;;)
     {
       std::size_t s = m_sides[1].highest() < m_sides[0].highest() ? 1 : 0;
@@ -285,13 +329,15 @@ private:
       climb(s);
     }
     if(m_lowest.end == Barrier_end::NONE)
-      m_lowest.length = (std::min)(m_sides[0].highest(), m_sides[1].highest());
+      m_lowest.length = m_sides[0].is_blocked != m_sides[1].is_blocked
+                            ? m_sides[m_sides[0].is_blocked ? 1 : 0].highest()
+                            : (std::min)(m_sides[0].highest(), m_sides[1].highest());
     return std::move(m_lowest);
   }
 
   struct Side
   {
-    bool is_done;
+    bool is_done, is_blocked;
     std::vector<double> lengths;       // of the boundaries, by level
     std::vector<double> highest_up_to; // by level: the greatest of them so far
     double next_height;                // at which the boundary is tightened
@@ -301,11 +347,11 @@ private:
 
     double highest() const { return highest_up_to.back(); }
 
-    void restart(double length)
+    void restart(double length, double height)
     {
       is_done = false;
       lengths.assign(1, length);
-      highest_up_to.assign(1, length);
+      highest_up_to.assign(1, height);
       next_height = (1 + first_rise) * length;
       peak = length;
       next_level_below = 0;
@@ -406,6 +452,8 @@ private:
   const Corner_angles& m_angles;
   Boundary_tightener m_tightener;
   Descents m_descents;
+  Pinch_finder m_pinch_finder;
+  std::array<std::vector<Pinch>, 2> m_pinches; // of the curve that is swept from, by side
   std::array<Side, 2> m_sides;
   Index m_goal = null_index; // the curve that is to become shorter, of the tightener
   double m_goal_length = 0;

@@ -72,6 +72,13 @@ public:
     }
   }
 
+  // Whether there is a vertex on a side of the start, which has not been left yet. If not, the side is no disc, and all
+  // of it lies between stretches of the start, where no boundary is found. On a surface with holes one may be there.
+  bool can_leave(std::size_t s)
+  {
+    return m_pm.has_boundary() || m_front.next_distance(s) < (std::numeric_limits<double>::infinity)();
+  }
+
   // Goes on until the next boundary on a side is complete, and returns its length. Both sides go on if they meet.
   double advance(std::size_t s)
   {
