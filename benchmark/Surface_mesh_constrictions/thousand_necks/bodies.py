@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Bodies with known narrow places, by families.
 
-A narrow place (`Place`) is given by an axis, a segment from one wide part to the other: through a neck inside the solid,
-through a bore or a throat of a pore outside of it. With it go loops on the mesh that wind around the axis once, at
-places where the cross-section is least. The longest of them is the *known loop*. All curves around the wide parts at
+A narrow place (`Place`) is given by an axis, a segment from one wide part to the other: through a neck inside the
+solid, through a bore or a throat of a pore outside of it. With it go loops on the mesh that wind around the axis once,
+at places where the cross-section is least. The longest of them is the *known loop*. All curves around the wide parts at
 the ends of the axis are longer, so that the shortest curve in between is a constriction, and not longer than the known
 loop.
 
@@ -16,8 +16,8 @@ import zlib
 
 import numpy as np
 
-from surfaces import (Mesh, Topology, directions, isosurface, lathe, length, positions, ring_loop, sections, sweep, tube,
-                      voxel_surface)
+from surfaces import (Mesh, Topology, directions, isosurface, lathe, length, positions, ring_loop, sections, sweep,
+                      tube, voxel_surface)
 
 # side: "object" for a neck of the solid, "complement" for a neck of what is around it
 Place = collections.namedtuple("Place", "axis side loops")
@@ -360,10 +360,9 @@ class Balls_and_rods:
         for (a, b, c), radius in self.balls:
             value = np.minimum(value, np.sqrt((x - a) ** 2 + (y - b) ** 2 + (z - c) ** 2) - radius)
         for start, end, thick, thin in self.rods:
-            d = end - start
-            t = ((x - start[0]) * d[0] + (y - start[1]) * d[1] + (z - start[2]) * d[2]) / (d * d).sum()
-            t = np.clip(t, 0, 1)
-            away = np.sqrt((x - start[0] - t * d[0]) ** 2 + (y - start[1] - t * d[1]) ** 2 + (z - start[2] - t * d[2]) ** 2)
+            d, u, v, w = end - start, x - start[0], y - start[1], z - start[2]
+            t = np.clip((u * d[0] + v * d[1] + w * d[2]) / (d * d).sum(), 0, 1)
+            away = np.sqrt((u - t * d[0]) ** 2 + (v - t * d[1]) ** 2 + (w - t * d[2]) ** 2)
             value = np.minimum(value, away - thin - (thick - thin) * (2 * t - 1) ** 2)
         return value
 
@@ -426,8 +425,8 @@ def pores(g, i):
 
 
 def lattice(g, i):
-    """Balls on a cubic grid with struts along its edges, of genus up to 50; a few struts are missing, but never one that
-    holds the rest together."""
+    """Balls on a cubic grid with struts along its edges, of genus up to 50; a few struts are missing, but never one
+    that holds the rest together."""
     shape = ((2, 2, 2), (2, 2, 3), (2, 3, 3), (3, 3, 3), (3, 3, 4))[i % 5]
     nodes = list(np.ndindex(*shape))
     struts = [(a, tuple(c + (k == axis) for k, c in enumerate(a))) for a in nodes for axis in range(3)
@@ -512,7 +511,7 @@ def large(g, i):
         return vessel(g, 1, step=0.075)
     if i == 1:
         return bone(g, 0, rows=700, sides=215)
-    return chain(g, 0, rows=700, sides=140)
+    return chain(g, 0, rows=700, sides=180)
 
 
 # ---- The set ------------------------------------------------------------------------------------------------------
@@ -523,13 +522,13 @@ FAMILIES = {
     "counterbores": (counterbore, 25, TREATMENTS),
     "straight necks": (straight_neck, 25, TREATMENTS),
     "boxes with a tube": (boxes_with_tube, 25, TREATMENTS),
-    "voxel dumbbells": (voxel_dumbbell, 6, ("plain", "rotated")),
+    "voxel dumbbells": (voxel_dumbbell, 4, ("plain", "rotated")),
     "voxel rooms": (voxel_rooms, 10, ("plain", "rotated moved float")),
     "plates with holes": (plate, 10, TREATMENTS),
     "chains": (chain, 10, TREATMENTS),
     "knots": (knot, 6, TREATMENTS),
-    "bones with noise": (bone, 10, TREATMENTS[:4]),
-    "threads": (thread, 15, TREATMENTS),
+    "bones with noise": (bone, 9, TREATMENTS[:4]),
+    "threads": (thread, 10, TREATMENTS),
     "trees": (tree, 8, TREATMENTS),
     "pores": (pores, 5, TREATMENTS),
     "lattices": (lattice, 5, TREATMENTS),

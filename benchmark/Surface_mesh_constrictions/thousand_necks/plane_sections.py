@@ -6,8 +6,9 @@
 
 For each of 13 directions, the principal axes and the bisectors of two and of three of them, N planes cut the mesh. A
 closed curve of one plane goes on in the next plane as the curve with the nearest centroid, if that is within half of
-the diameter of a circle of its length. Curves that are shorter than those that they go on in on both sides are written,
-of a row of curves of one length the middle one; of curves with nearly the same centroid only the shortest. Needs numpy.
+the diameter of a circle of the length of the longer one. Curves that are shorter than those that they go on in on both
+sides are written, of a row of curves of one length the middle one; of curves with nearly the same centroid only the
+shortest. Needs numpy.
 """
 import argparse
 import math
@@ -17,7 +18,7 @@ import numpy as np
 
 from surfaces import Mesh, length, positions, sections
 
-SAME = 1e-9  # of a length
+SAME = 1e-6  # of a length
 ONE_PLACE = 0.25  # of the diameter of a circle of the curve's length
 
 
@@ -53,11 +54,11 @@ class Curve:
 
     def next_in(self, plane):
         """The curve that this one goes on in, or None."""
-        reach, nearest = self.length / (2 * math.pi), None
+        least, nearest = math.inf, None
         for other in plane:
             away = math.sqrt(((other.centroid - self.centroid) ** 2).sum())
-            if away <= reach:
-                reach, nearest = away, other
+            if away <= max(self.length, other.length) / (2 * math.pi) and away < least:
+                least, nearest = away, other
         return nearest
 
 
@@ -101,7 +102,8 @@ def find(mesh, number):
              for curve in least_curves(curves_of_planes(mesh, direction, number))]
     kept = []
     for curve in sorted(found, key=lambda c: c.length):
-        if all(math.sqrt(((curve.centroid - k.centroid) ** 2).sum()) > ONE_PLACE * curve.length / math.pi for k in kept):
+        reach = ONE_PLACE * curve.length / math.pi
+        if all(math.sqrt(((curve.centroid - k.centroid) ** 2).sum()) > reach for k in kept):
             kept.append(curve)
     return [curve.points for curve in kept]
 

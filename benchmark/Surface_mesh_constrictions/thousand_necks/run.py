@@ -6,9 +6,9 @@
     run.py --command 'PROGRAM {mesh} {out}' --quick
     run.py --write FOLDER                           only the meshes, with the places beside them
 
-The command gets the name of an OFF file for {mesh}, and writes closed polylines to {out}: the JSON of constrictions/1, or
-lines `n x1 y1 z1 ...` as in CGAL's .polylines.txt. {here} is the folder of this script. A command that fails, or does
-not end in time, finds nothing.
+The command gets the name of an OFF file for {mesh}, and writes closed polylines to {out}: the JSON of constrictions/1,
+or lines `n x1 y1 z1 ...` as in CGAL's .polylines.txt. {here} is the folder of this script. A command that fails, or
+does not end in time, finds nothing.
 
 The table has a line for each family: places; found, by a curve around the place that is not longer than a loop that is
 known there; near, by one that is longer, by half at most; extras, curves that belong to no place; duplicates, further
@@ -83,13 +83,16 @@ def table(results):
         for column in COLUMNS:
             total[column] += one[column]
     together = {key: sum(total[key] for total in sums.values()) for key in next(iter(sums.values()))}
-    lines = ["| family             | bodies | failed | places | found |     % |  near | extras | duplicates | seconds |",
-             "| ------------------ | -----: | -----: | -----: | ----: | ----: | ----: | -----: | ---------: | ------: |"]
+    head = ("family", "bodies", "failed", "places", "found", "%", "near", "extras", "duplicates", "seconds")
+    rows = []
     for family, t in [*sums.items(), ("together", together)]:
-        share = "%5.1f" % (100 * t["found"] / t["places"]) if t["places"] else "    -"
-        lines.append("| %-18s | %6d | %6d | %6d | %5d | %s | %5d | %6d | %10d | %7.1f |" % (
-            family, t["bodies"], t["failed"], t["places"], t["found"], share, t["near"], t["extras"], t["duplicates"],
-            t["seconds"]))
+        share = f"{100 * t['found'] / t['places']:.1f}" if t["places"] else ""
+        rows.append((family, t["bodies"], t["failed"], t["places"], t["found"], share, t["near"], t["extras"],
+                     t["duplicates"], f"{t['seconds']:.1f}"))
+    widths = [max(len(str(row[i])) for row in (head, *rows)) for i in range(len(head))]
+    rule = ["-" * widths[0], *("-" * (width - 1) + ":" for width in widths[1:])]
+    lines = ["| " + " | ".join([str(row[0]).ljust(widths[0]), *(str(c).rjust(w) for c, w in zip(row[1:], widths[1:]))])
+             + " |" for row in (head, rule, *rows)]
     return lines, {**sums, "together": together}
 
 
@@ -133,10 +136,10 @@ def main():
         for family, number in chosen(arguments):
             one = body(family, number, arguments.seed)
             curves, seconds, error = answer(arguments.command, one, folder, arguments.time_limit)
-            results.append({"body": one.name, "family": family, "treatment": one.treatment, "faces": len(one.mesh.faces),
-                            "seconds": round(seconds, 3), "error": error, **score(one, curves or [])})
+            r = {"body": one.name, "family": family, "treatment": one.treatment, "faces": len(one.mesh.faces),
+                 "seconds": round(seconds, 3), "error": error, **score(one, curves or [])}
+            results.append(r)
             if arguments.verbose or error:
-                r = results[-1]
                 print("%-24s %-20s %7d faces, %3d of %3d places, %3d near, %3d extras, %6.2f s %s" % (
                     one.name, one.treatment, r["faces"], r["found"], r["places"], r["near"], r["extras"], seconds,
                     error or ""), file=sys.stderr, flush=True)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Borders between the segments of CGAL's segmentation by the shape diameter function, with default parameters, as closed
-// polylines. A border that ends in the boundary of the mesh is left out. Where three segments meet, the border of each
-// is one curve.
+// Borders between the segments of CGAL's segmentation by the shape diameter function, with default parameters, as
+// closed polylines. A border that ends in the boundary of the mesh is left out. Where three segments meet, the border
+// of each is one curve.
 //
 //   sdf_borders MESH OUT.polylines.txt
 
