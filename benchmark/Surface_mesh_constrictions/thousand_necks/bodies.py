@@ -97,6 +97,32 @@ def straight_neck(g, i):
     return lathe(n, profile, "caps"), [Place(np.array([[0, 0, 1], [0, 0, 3 + h]]), "object", rings)], BALL
 
 
+def grooves(g, i):
+    """A shaft with fins: the grooves between them, 0.3 to 1.2 radii wide, and 0.2 to 0.8 deep."""
+    n, number = int(g.choice(SIDES)), int(g.randint(2, 6))
+    profile, places = [], []
+
+    def add(radius, height):
+        profile.append((radius, height))
+        return len(profile) - 1
+
+    at, fin = 0.0, 1 + g.uniform(0.2, 0.8)
+    add(fin, at)
+    for _ in range(number):
+        at += g.uniform(0.15, 0.4)
+        start = at
+        add(fin, at)
+        rings = [add(1, at)]
+        at += g.uniform(0.3, 1.2)
+        rings.append(add(1, at))
+        fin = 1 + g.uniform(0.2, 0.8)
+        add(fin, at)
+        axis = np.array([[0, 0, start - 0.05], [0, 0, at + 0.05]])
+        places.append(Place(axis, "object", [ring_loop(ring, n) for ring in rings]))
+    add(fin, at + 0.3)
+    return lathe(n, profile, "caps"), places, BALL
+
+
 def box(corner, sizes):
     return [tuple(c + d for c, d in zip(corner, offset)) for offset in np.ndindex(*(int(s) for s in sizes))]
 
@@ -186,6 +212,29 @@ def plate(g, i):
     return mesh, places, Topology(1, len(holes), 0)
 
 
+def ladder(g, i):
+    """A ladder of square bars, with a hole between any two rungs: each rung is a place, and each piece of a rail
+    between two rungs."""
+    holes, width, gap = 1 + i, int(g.choice([1, 1, 2])), int(g.randint(2, 5))
+    across = int(g.randint(2, 5))
+    size = (2 * width + across, (holes + 1) * width + holes * gap)
+    inside = {(x, width + k * (width + gap) + y) for x in range(width, width + across) for k in range(holes)
+              for y in range(gap)}
+    mesh = voxel_surface([(x, y, z) for x in range(size[0]) for y in range(size[1]) for z in range(width)
+                          if (x, y) not in inside])
+    half, places = width / 2, []
+    for k in range(holes + 1):
+        y = k * (width + gap) + half
+        ends = (half, y, half), (size[0] - half, y, half)
+        places.append(section_place(mesh, *ends, "object", (0.47, 0.53)))
+    for k in range(holes):
+        low = k * (width + gap) + half
+        for x in (half, size[0] - half):
+            ends = (x, low, half), (x, low + width + gap, half)
+            places.append(section_place(mesh, *ends, "object", (0.47, 0.53)))
+    return mesh, places, Topology(1, holes, 0)
+
+
 # ---- Chains, knots, bones, threads --------------------------------------------------------------------------------
 
 
@@ -221,6 +270,23 @@ def chain(g, i, rows=None, sides=None):
         axis = np.array([centres[row - rows // 2], centres[row + rows // 2]])
         places.append(Place(straightened(axis, centres[row]), "object", [ring_loop(row, n)]))
     return mesh, places, BALL
+
+
+def shallow_necks(g, i):
+    """A rod that gets thinner by 3% to 15% at a few places."""
+    number, rows, n = int(g.randint(1, 4)), 2 * int(g.randint(4, 13)), int(g.randint(16, 49))
+    pitch, depths = g.uniform(1.5, 3), [float(g.uniform(0.03, 0.15)) for _ in range(number)]
+    profile = [(0.6, -0.25), (1, 0)]
+    for k, depth in enumerate(depths):
+        profile += [(1 - depth * wave(row / rows), pitch * (k + row / rows)) for row in range(1, rows)]
+        profile.append((1, pitch * (k + 1)))
+    profile.append((0.6, pitch * number + 0.25))
+    places = []
+    for k in range(number):
+        axis = np.array([[0, 0, pitch * k], [0, 0, pitch * (k + 1)]])
+        at = min(range(len(profile)), key=lambda r: abs(profile[r][1] - pitch * (k + 0.5)))
+        places.append(Place(axis, "object", [ring_loop(at, n)]))
+    return lathe(n, profile, "caps"), places, BALL
 
 
 def straightened(axis, middle):
@@ -518,17 +584,20 @@ def large(g, i):
 
 # name: function, number of bodies, treatments
 FAMILIES = {
-    "bores": (bore, 25, TREATMENTS),
-    "counterbores": (counterbore, 25, TREATMENTS),
-    "straight necks": (straight_neck, 25, TREATMENTS),
-    "boxes with a tube": (boxes_with_tube, 25, TREATMENTS),
+    "bores": (bore, 20, TREATMENTS),
+    "counterbores": (counterbore, 20, TREATMENTS),
+    "straight necks": (straight_neck, 20, TREATMENTS),
+    "grooves": (grooves, 10, TREATMENTS),
+    "shallow necks": (shallow_necks, 10, TREATMENTS),
+    "boxes with a tube": (boxes_with_tube, 20, TREATMENTS),
     "voxel dumbbells": (voxel_dumbbell, 4, ("plain", "rotated")),
-    "voxel rooms": (voxel_rooms, 10, ("plain", "rotated moved float")),
+    "voxel rooms": (voxel_rooms, 8, ("plain", "rotated moved float")),
     "plates with holes": (plate, 10, TREATMENTS),
-    "chains": (chain, 10, TREATMENTS),
-    "knots": (knot, 6, TREATMENTS),
+    "ladders": (ladder, 6, TREATMENTS),
+    "chains": (chain, 8, TREATMENTS),
+    "knots": (knot, 5, TREATMENTS),
     "bones with noise": (bone, 9, TREATMENTS[:4]),
-    "threads": (thread, 10, TREATMENTS),
+    "threads": (thread, 11, TREATMENTS),
     "trees": (tree, 8, TREATMENTS),
     "pores": (pores, 5, TREATMENTS),
     "lattices": (lattice, 5, TREATMENTS),

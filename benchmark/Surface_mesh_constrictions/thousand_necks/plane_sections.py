@@ -4,11 +4,11 @@
 
     plane_sections.py MESH.off OUT.polylines.txt [--planes N]
 
-For each of 13 directions, the principal axes and the bisectors of two and of three of them, N planes cut the mesh. A
-closed curve of one plane goes on in the next plane as the curve with the nearest centroid, if that is within half of
-the diameter of a circle of the length of the longer one. Curves that are shorter than those that they go on in on both
-sides are written, of a row of curves of one length the middle one; of curves with nearly the same centroid only the
-shortest. Needs numpy.
+For each of 16 directions, those of the coordinates, the principal axes, and the bisectors of two and of three of these,
+N planes cut the mesh. A closed curve of one plane goes on in the next plane as the curve with the nearest centroid, if
+that is within half of the diameter of a circle of the length of the longer one. Curves that are shorter than those that
+they go on in on both sides are written, of a row of curves of one length the middle one; of curves with nearly the same
+centroid only the shortest. Needs numpy.
 """
 import argparse
 import math
@@ -18,7 +18,7 @@ import numpy as np
 
 from surfaces import Mesh, length, positions, sections
 
-SAME = 1e-6  # of a length
+SAME = 1e-5  # of a length
 ONE_PLACE = 0.25  # of the diameter of a circle of the curve's length
 
 
@@ -37,12 +37,12 @@ def read_off(path):
 
 
 def search_directions(points):
-    """Principal axes of the points, and bisectors of them."""
+    """Those of the coordinates, principal axes of the points, and bisectors of these."""
     centred = points - points.mean(axis=0)
     axes = np.linalg.eigh(centred.T @ centred)[1].T
     signs = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (1, -1, 0), (1, 0, 1), (1, 0, -1), (0, 1, 1), (0, 1, -1),
              (1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]
-    directions = np.array(signs, float) @ axes
+    directions = np.concatenate([np.eye(3), np.array(signs, float) @ axes])
     return directions / np.sqrt((directions * directions).sum(axis=1))[:, None]
 
 
@@ -112,7 +112,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("mesh")
     parser.add_argument("out")
-    parser.add_argument("--planes", type=int, default=64, metavar="N")
+    parser.add_argument("--planes", type=int, default=64, metavar="N", help="64 by default")
     arguments = parser.parse_args()
     curves = find(read_off(arguments.mesh), arguments.planes)
     with open(arguments.out, "w", encoding="ascii") as file:

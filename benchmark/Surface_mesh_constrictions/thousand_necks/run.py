@@ -5,6 +5,7 @@
     run.py --command 'constrictions detect {mesh} --json {out} --quiet' [--json FILE]
     run.py --command 'PROGRAM {mesh} {out}' --quick
     run.py --write FOLDER                           only the meshes, with the places beside them
+    run.py --compare NAME=FILE[,FILE]...            one table of several programs, of files written by --json
 
 The command gets the name of an OFF file for {mesh}, and writes closed polylines to {out}: the JSON of constrictions/1,
 or lines `n x1 y1 z1 ...` as in CGAL's .polylines.txt. {here} is the folder of this script. A command that fails, or
@@ -12,16 +13,16 @@ does not end in time, finds nothing.
 
 The table has a line for each family: places; found, by a curve around the place that is not longer than a loop that is
 known there; near, by one that is longer, by half at most; extras, curves that belong to no place; duplicates, further
-curves of a place; wall seconds of the command. score.py says it in full. Needs numpy.
+curves of a place; processor seconds of the command, of all its threads. score.py says it in full. Needs numpy.
 """
 import argparse
 import json
 import os
+import resource
 import shlex
 import subprocess
 import sys
 import tempfile
-import time
 
 from bodies import FAMILIES, SEED, body, known_length, quick_numbers
 from score import read_curves, score
@@ -47,29 +48,46 @@ def truth(one):
     }
 
 
+def children_seconds():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
 def answer(command, one, folder, time_limit):
-    """Runs the command on a body: the curves, or None, wall seconds, and what went wrong."""
+    """Runs the command on a body: the curves, or None, processor seconds, and what went wrong."""
     mesh, out = os.path.join(folder, one.name + ".off"), os.path.join(folder, one.name + ".curves")
     write_off(one.mesh, mesh)
     names = {"mesh": mesh, "out": out, "here": os.path.dirname(os.path.abspath(__file__))}
     words = [word.format(**names) for word in shlex.split(command)]
-    curves, error, start = None, None, time.monotonic()
+    curves, error, start = None, None, children_seconds()
     try:
         done = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                               timeout=time_limit, check=False)
-        seconds = time.monotonic() - start
         if done.returncode == 0:
             curves = read_curves(out)
         else:
             error = f"exit code {done.returncode}: {done.stderr.decode(errors='replace').strip()[-200:]}"
     except subprocess.TimeoutExpired:
-        seconds, error = time.monotonic() - start, f"no answer in {time_limit} seconds"
+        error = f"no answer in {time_limit:g} seconds"
     except (OSError, ValueError, KeyError) as failure:
-        seconds, error = time.monotonic() - start, f"no answer that can be read: {failure}"
+        error = f"no answer that can be read: {failure}"
+    seconds = children_seconds() - start
     for name in (mesh, out):
         if os.path.exists(name):
             os.remove(name)
     return curves, seconds, error
+
+
+def percent(total):
+    return f"{100 * total['found'] / total['places']:.1f}" if total["places"] else ""
+
+
+def aligned(head, rows):
+    """Lines of a table, its first column to the left."""
+    widths = [max(len(str(row[i])) for row in (head, *rows)) for i in range(len(head))]
+    rule = ["-" * widths[0], *("-" * (width - 1) + ":" for width in widths[1:])]
+    return ["| " + " | ".join([str(row[0]).ljust(widths[0]), *(str(c).rjust(w) for c, w in zip(row[1:], widths[1:]))])
+            + " |" for row in (head, rule, *rows)]
 
 
 def table(results):
@@ -83,17 +101,41 @@ def table(results):
         for column in COLUMNS:
             total[column] += one[column]
     together = {key: sum(total[key] for total in sums.values()) for key in next(iter(sums.values()))}
-    head = ("family", "bodies", "failed", "places", "found", "%", "near", "extras", "duplicates", "seconds")
     rows = []
     for family, t in [*sums.items(), ("together", together)]:
-        share = f"{100 * t['found'] / t['places']:.1f}" if t["places"] else ""
-        rows.append((family, t["bodies"], t["failed"], t["places"], t["found"], share, t["near"], t["extras"],
+        rows.append((family, t["bodies"], t["failed"], t["places"], t["found"], percent(t), t["near"], t["extras"],
                      t["duplicates"], f"{t['seconds']:.1f}"))
-    widths = [max(len(str(row[i])) for row in (head, *rows)) for i in range(len(head))]
-    rule = ["-" * widths[0], *("-" * (width - 1) + ":" for width in widths[1:])]
-    lines = ["| " + " | ".join([str(row[0]).ljust(widths[0]), *(str(c).rjust(w) for c, w in zip(row[1:], widths[1:]))])
-             + " |" for row in (head, rule, *rows)]
+    lines = aligned(("family", "bodies", "failed", "places", "found", "%", "near", "extras", "duplicates", "seconds"),
+                    rows)
     return lines, {**sums, "together": together}
+
+
+def compare(programs):
+    """Lines of a table of several programs, by family; each is given as NAME=FILE,FILE... It counts the bodies that are
+    in the results of all of them."""
+    names, answers = [], []
+    for program in programs:
+        name, _, paths = program.partition("=")
+        names.append(name)
+        answers.append({})
+        for path in paths.split(","):
+            with open(path, encoding="utf-8") as file:
+                answers[-1].update((one["body"], one) for one in json.load(file)["bodies"])
+    order = list(FAMILIES)
+    common = sorted((body for body in answers[0] if all(body in answer for answer in answers)),
+                    key=lambda body: (order.index(answers[0][body]["family"]), body))
+    columns = [table([answer[body] for body in common])[1] for answer in answers]
+    head = ["family", "bodies", "places"]
+    for name in names:
+        head += [f"{name}: found", "near", "extras", "seconds"]
+    rows = []
+    for family, first in columns[0].items():
+        row = [family, first["bodies"], first["places"]]
+        for sums in columns:
+            total = sums[family]
+            row += [total["found"], total["near"], total["extras"], f"{total['seconds']:.1f}"]
+        rows.append(row)
+    return aligned(head, rows)
 
 
 def chosen(arguments):
@@ -121,10 +163,14 @@ def main():
     parser.add_argument("--seed", type=int, default=SEED, help="another one makes another set of the same kinds")
     parser.add_argument("--time-limit", type=float, default=600, metavar="SECONDS", help="for each body")
     parser.add_argument("--write", metavar="FOLDER", help="writes meshes and places, runs nothing")
+    parser.add_argument("--compare", nargs="+", metavar="NAME=FILE", help="prints files of --json side by side")
     parser.add_argument("--verbose", action="store_true", help="a line for each body")
     arguments = parser.parse_args()
-    if bool(arguments.command) == bool(arguments.write):
-        parser.error("either --command or --write is needed")
+    if sum(map(bool, (arguments.command, arguments.write, arguments.compare))) != 1:
+        parser.error("one of --command, --write and --compare is needed")
+    if arguments.compare:
+        print("\n".join(compare(arguments.compare)))
+        return 0
     if arguments.write:
         write_set(arguments)
         return 0
