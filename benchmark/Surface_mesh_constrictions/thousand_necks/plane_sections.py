@@ -112,7 +112,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("mesh")
     parser.add_argument("out")
-    parser.add_argument("--planes", type=int, default=64, metavar="N", help="64 by default")
+    parser.add_argument("--planes", type=int, default=32, metavar="N", help="32 by default")
     arguments = parser.parse_args()
     curves = find(read_off(arguments.mesh), arguments.planes)
     with open(arguments.out, "w", encoding="ascii") as file:
