@@ -173,6 +173,10 @@ class Score(unittest.TestCase):
     def test_twice_around_is_not_once_around(self):
         self.assertFalse(score.encircles(np.concatenate([square(4.25), square(4.5)]), self.body.places[0]))
 
+    def test_a_curve_beyond_the_ends_of_the_axis_does_not_encircle_it(self):
+        for x, expected in ((1.5, False), (2.5, True), (7.5, True), (8.5, False)):
+            self.assertEqual(score.encircles(square(x, (0, 2), (0, 2)), self.body.places[0]), expected)
+
     def test_reads_both_formats(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "curves")
