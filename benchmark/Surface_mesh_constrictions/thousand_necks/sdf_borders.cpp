@@ -26,10 +26,7 @@ typedef Mesh::Property_map<Mesh::Face_index, std::size_t> Segment_map;
 class Border_walk
 {
 public:
-  Border_walk(const Mesh& mesh, const Segment_map& segments)
-    : m_mesh(mesh)
-    , m_segments(segments)
-  {}
+  Border_walk(const Mesh& mesh, const Segment_map& segments) : m_mesh(mesh), m_segments(segments) {}
 
   // a halfedge whose face is in another segment than the face beyond, or has none beyond
   bool is_border(Mesh::Halfedge_index h) const
