@@ -25,16 +25,33 @@
 #                                       that are selected, and girths at 10,000 places
 #   completeness                        which strict constrictions of 300 small meshes random walks find and the
 #                                       detection misses; prints the table of the manual
+#   necks                               which known narrow places of generated bodies the default call finds, and how
+#                                       CGAL's segmentation and plane sections do; prints the tables of the manual
+#   others                              the meshes that packages of Debian and npm ship are answered or refused for a
+#                                       reason, each curve certified; prints the tables of the manual
 #   stability                           whether constrictions of twelve meshes are found again on changed ones;
 #                                       prints the table of the manual
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-[ $# -gt 0 ] || set -- headers examples meshes selection curves completeness stability coverage \
+[ $# -gt 0 ] || set -- headers examples meshes others selection curves completeness stability necks coverage \
   mutation-{certificate,tightening,verification,prominence,selection} configurations arithmetic faults fuzz threads
 mkdir -p build/nightly
 # scripts/test.sh or another step may have configured the same folder for something else.
 whole=(-DWITH_{TOOLS,EXAMPLES,LONG_TESTS,TEST_PROGRAMS}=ON -DWITH_QUICK_COMPILATION=OFF -DCONSTRICTIONS_TEST_PREFIX=)
+
+compare_on_a_thousand_necks() {
+  local set=benchmark/Surface_mesh_constrictions/thousand_necks results=build/nightly/necks python=/usr/bin/python3
+  mkdir -p "$results"
+  $python $set/run.py --json "$results/constrictions.json" --time-limit 3600 \
+    --command 'build/release/tools/constrictions/constrictions detect {mesh} --json {out} --quiet' &&
+    $python $set/run.py --json "$results/sdf.json" --time-limit 3600 \
+      --command 'build/release/benchmark/Surface_mesh_constrictions/sdf_borders {mesh} {out}' &&
+    $python $set/run.py --json "$results/sections.json" --time-limit 3600 \
+      --command "$python {here}/plane_sections.py {mesh} {out}" &&
+    $python $set/run.py --compare "constrictions=$results/constrictions.json" "sdf=$results/sdf.json" \
+      "sections=$results/sections.json"
+}
 
 run() { # STEP
   case $1 in
@@ -72,6 +89,17 @@ run() { # STEP
         cmake --build --preset release --target constrictions &&
         scripts/check_meshes.py build/release/tools/constrictions/constrictions data/meshes --time-limit 3600 \
           --least 142
+      ;;
+    others)
+      scripts/setup.sh npm && cmake --preset release "${whole[@]}" &&
+        cmake --build --preset release --target constrictions &&
+        scripts/check_meshes_of_others.py build/release/tools/constrictions/constrictions build/nightly/meshes_of_others
+      ;;
+    necks)
+      scripts/setup.sh && scripts/fetch_meshes.sh data/meshes &&
+        cmake --preset release "${whole[@]}" -DWITH_BENCHMARKS=ON &&
+        cmake --build --preset release --target constrictions --target sdf_borders &&
+        compare_on_a_thousand_necks
       ;;
     selection)
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&
