@@ -3,7 +3,7 @@
 """Fetches the meshes that packages of Debian 12 and of npm ship, runs the program's default call on them, and prints
 tables of the kinds of answers: by package, and why files were refused.
 
-    scripts/check_meshes_of_others.py PROGRAM FOLDER [-j N] [--time-limit SECONDS]
+    scripts/check_meshes_of_others.py PROGRAM FOLDER [-j N] [--time-limit SECONDS] [--package NAME]...
 
 The packages, in stated versions, are unpacked into FOLDER, unless they are there; nothing is installed. The exit code
 is 0 if each file is answered or refused for a reason, within the time, and each curve is certified.
@@ -64,11 +64,12 @@ def keep_meshes(source, target):
     os.rename(target + ".part", target)
 
 
-def fetch(folder):
-    """Folders of meshes by the names of packages."""
+def fetch(folder, packages):
+    """Folders of meshes by the names and versions of packages."""
     folders = {}
     with tempfile.TemporaryDirectory() as work:
-        for name, version in {**DEBIAN, **NPM}.items():
+        for name in packages:
+            version = DEBIAN.get(name) or NPM[name]
             target = os.path.join(folder, f"{name}_{version}")
             folders[f"{name} {version}"] = target
             if os.path.isdir(target):
@@ -110,10 +111,11 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("-j", type=int, default=1)
     parser.add_argument("--time-limit", type=int, default=600)
+    parser.add_argument("--package", action="append", choices=[*DEBIAN, *NPM], help="all, if none is given")
     arguments = parser.parse_args()
 
     os.makedirs(arguments.folder, exist_ok=True)
-    folders = fetch(arguments.folder)
+    folders = fetch(arguments.folder, arguments.package or [*DEBIAN, *NPM])
     files = {package: sorted(os.path.join(path, n) for n in os.listdir(path)) for package, path in folders.items()}
     names = sorted((name for paths in files.values() for name in paths), key=lambda n: (os.path.getsize(n), n))
     lines = run(arguments.program, names, arguments.j, arguments.time_limit)
