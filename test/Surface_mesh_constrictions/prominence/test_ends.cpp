@@ -78,10 +78,22 @@ Trace around_two_rooms(const Trace& lower, const Trace& upper)
 // The only pinch is that of the corridor. It leaves a curve in each room.
 double rise_in_corridor(const SMC::Progressive_mesh& pm, const Trace& trace)
 {
-  const std::vector<internal::Pinch> pinches = internal::Pinch_finder(pm)(trace);
+  internal::Pinch_finder finder(pm);
+  const std::vector<internal::Pinch> pinches = finder(trace);
   EXPECT_EQ(pinches.size(), 1u);
   if(pinches.size() != 1 || pinches[0].parts.size() != 2)
     return -1;
+  Trace from_elsewhere = trace;
+  for(std::size_t i = 1; i < trace.size(); ++i)
+  {
+    std::rotate(from_elsewhere.begin(), from_elsewhere.begin() + 1, from_elsewhere.end());
+    const std::vector<internal::Pinch> same = finder(from_elsewhere);
+    EXPECT_EQ(same.size(), 1u) << i;
+    EXPECT_NEAR(same.front().rise, pinches[0].rise, 1e-12) << i;
+    EXPECT_EQ(same.front().parts[0].size() + same.front().parts[1].size(),
+              pinches[0].parts[0].size() + pinches[0].parts[1].size())
+        << i;
+  }
   bool is_left[2];
   for(std::size_t i = 0; i < 2; ++i)
   {
@@ -120,6 +132,18 @@ TEST(Pinches, ACorridorWithoutPivotsIsPinchedInItsMiddle)
   const Trace upper = {{null_index, pm.halfedge(at(3, 2), at(3, 1)), 0.25},
                        {null_index, pm.halfedge(at(3, 2), at(2, 1)), 1. / 3}};
   EXPECT_NEAR(rise_in_corridor(pm, around_two_rooms(lower, upper)), 2 * std::sqrt(5) - 4, 1e-12);
+}
+
+// The curve is drawn out to the middle of the edge and back, from both of its ends.
+TEST(Pinches, ADoorOfOneEdgeIsPinchedOnThatEdge)
+{
+  Trace trace;
+  pass(trace, {{0, 0}, {1, 0}, {2, 1}, {3, 1}, {3, 0}, {4, 0}, {5, 0}, {6, 0}, {6, 1}, {6, 2},
+               {6, 3}, {5, 3}, {4, 3}, {3, 3}, {2, 2}, {2, 3}, {1, 3}, {0, 3}, {0, 2}, {0, 1}});
+  const SMC::Progressive_mesh pm = grid(0);
+  const std::vector<internal::Pinch> pinches = internal::Pinch_finder(pm)(trace);
+  ASSERT_EQ(pinches.size(), 1u);
+  EXPECT_NEAR(pinches[0].rise, 2, 1e-12);
 }
 
 // On the other side only the edges that cut off a corner lie between two pivots; that is no pinch.

@@ -298,6 +298,18 @@ TEST(Selection, ASumOfOthersThatItDoesNotCrossIsNotComposed)
   EXPECT_EQ(select(given, CGAL::parameters::default_values()).size(), 8u);
 }
 
+// The longest one is given first. Four that are just firm are enough.
+TEST(Selection, WhatCrossesFourFirmShorterOnesIsOfAFamily)
+{
+  const double firm = SMC::internal::firm_prominence;
+  std::vector<Constriction> given(1, cycle(2, 1, {}, {}, {1, 2, 3, 4}));
+  given.resize(5, cycle(1, firm, {}, {}));
+  EXPECT_EQ(SMC::internal::family_constrictions(given, {0, 1, 2, 3, 4}),
+            std::vector<bool>({true, false, false, false, false}));
+  given[4] = cycle(1, 0.99 * firm, {}, {});
+  EXPECT_EQ(SMC::internal::family_constrictions(given, {0, 1, 2, 3, 4}), std::vector<bool>(5, false));
+}
+
 TEST(Selection, PlacesInTheHierarchySkipThoseThatAreNotSelected)
 {
   // 4 -> 3 -> 2 -> 0 and 1 -> 3

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_crossings.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Zeroed_array.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
@@ -26,17 +27,20 @@ struct Pinch
   std::vector<Strip> parts; // the halfedges that each of the two crosses, in order, beside the pivots on that side
 };
 
-// Finds the pinches of a curve on its left.
+// Finds the pinches of curves on their left. Linear in the size of the mesh to make.
 class Pinch_finder
 {
 public:
-  explicit Pinch_finder(const Progressive_mesh& pm) : m_pm(pm) {}
+  explicit Pinch_finder(const Progressive_mesh& pm) : m_pm(pm), m_last(pm.number_of_halfedge_ids()) {}
 
-  // Of a simple closed geodesic with this trace. O(n log n) for n crossings.
+  // Of a simple closed geodesic with this trace. Linear if the curve crosses no edge twice; else O(n log n) for n
+  // crossings.
   std::vector<Pinch> operator()(const std::vector<Trace_point>& trace)
   {
-    find_gaps(trace);
     std::vector<Pinch> result;
+    if(!crosses_an_edge_twice(trace))
+      return result;
+    find_gaps();
     const std::size_t n = m_crossings.size();
     std::vector<bool> is_done(n, false);
     for(std::size_t i = 0; i < n; ++i)
@@ -69,7 +73,6 @@ public:
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  // Of the curve, moved to its left at its pivots.
   struct Crossing
   {
     Index halfedge;
@@ -80,14 +83,25 @@ private:
   std::size_t next(std::size_t i) const { return i + 1 < m_crossings.size() ? i + 1 : 0; }
   std::size_t previous(std::size_t i) const { return i > 0 ? i - 1 : m_crossings.size() - 1; }
 
-  // Notes of each crossing the one across the gap on its left, if there is one: on the same edge, in the other
-  // direction, and with no other one between. Where the curve crosses an edge and turns back at once there is no gap.
-  void find_gaps(const std::vector<Trace_point>& trace)
+  // Notes the crossings of a curve with this trace, moved to its left at its pivots.
+  bool crosses_an_edge_twice(const std::vector<Trace_point>& trace)
   {
+    ++m_curve;
     m_crossings.clear();
+    bool result = false;
     for_each_crossing_beside_pivots(m_pm, trace, [&](Index h, std::size_t i) {
       m_crossings.push_back({h, trace[i].pivot, trace[i].is_pivot() ? 0 : trace[i].parameter});
+      Index& last = m_last[m_pm.edge(h)];
+      result = result || last == m_curve;
+      last = m_curve;
     });
+    return result;
+  }
+
+  // Notes of each crossing the one across the gap on its left, if there is one: on the same edge, in the other
+  // direction, and with no other one between. Where the curve crosses an edge and turns back at once there is no gap.
+  void find_gaps()
+  {
     m_across.assign(m_crossings.size(), none);
     struct On_edge
     {
@@ -172,6 +186,8 @@ private:
   const Progressive_mesh& m_pm;
   std::vector<Crossing> m_crossings;
   std::vector<std::size_t> m_across; // by crossing
+  Zeroed_array<Index> m_last;        // by edge: the last curve that crosses it
+  Index m_curve = 0;
 };
 
 } // namespace internal
