@@ -78,6 +78,16 @@ def ply_text(points, faces):
         "3 %d %d %d\n" % f for f in faces)).encode()
 
 
+def ply_16_bit(points, faces):
+    header = ply_header("binary_little_endian", points, faces).replace(b"uchar int", b"uchar ushort")
+    return header + b"".join(struct.pack("<3d", *p) for p in points) + b"".join(
+        struct.pack("<B3H", 3, *f) for f in faces)
+
+
+def obj_with_line(points, faces):
+    return obj(points, faces) + b"l 1 2\n"
+
+
 def stl(points, faces):
     return bytes(80) + struct.pack("<I", len(faces)) + b"".join(
         struct.pack("<12f", 0, 0, 0, *(x for i in f for x in points[i])) + b"\0\0" for f in faces)
@@ -160,6 +170,7 @@ def three_mf(points, faces):
 
 
 # Name of a format: the ending of its files, the function that writes it.
-FORMATS = {"OFF": ("off", off), "OBJ": ("obj", obj), "PLY": ("ply", ply), "PLY text": ("ply", ply_text),
+FORMATS = {"OFF": ("off", off), "OBJ": ("obj", obj), "OBJ with a line": ("obj", obj_with_line),
+           "PLY of 16 bits": ("ply", ply_16_bit), "PLY": ("ply", ply), "PLY text": ("ply", ply_text),
            "STL": ("stl", stl), "STL text": ("stl", stl_text), "VTK": ("vtk", vtk), "VTK text": ("vtk", vtk_text),
            "VTP": ("vtp", vtp), "GLB": ("glb", glb), "3MF": ("3mf", three_mf)}

@@ -3,6 +3,7 @@
 import json
 import math
 import pathlib
+import re
 import struct
 import subprocess
 
@@ -81,8 +82,8 @@ def kind_of_rounding(pairs, body_size):
         # Digits enough for a float.
         if all(rounded(x) == rounded(y) for x, y in pairs):
             return "float"
-    worst = max(abs(x - y) for x, y in pairs)
-    return "off by %.0e of its size" % (worst / body_size)
+    worst = max(abs(x - y) for x, y in pairs) / body_size
+    return "off by %.0e of its size" % worst if worst < 0.5 else "wrong"
 
 
 def size(points):
@@ -115,18 +116,22 @@ def compare(mesh, other):
     if not others or not other_faces:
         return ["lost", "lost", "lost"]
     if any(not math.isfinite(x) for q in others for x in q):
-        return ["not finite", "", ""]
+        return ["wrong", "", ""]
     match, coordinates = list(range(len(points))), "off"
     if len(points) == len(others):
         coordinates = kind_of_rounding([(x, y) for p, q in zip(points, others) for x, y in zip(p, q)], size(points))
-    if coordinates.startswith("off"):
+    if coordinates.startswith(("off", "wrong")):
         match = nearest(points, others)
         coordinates = kind_of_rounding([(x, y) for i, q in zip(match, others) for x, y in zip(points[i], q)],
                                        size(points))
+    if coordinates == "wrong":
+        return ["wrong", "", ""]
     if match == list(range(len(points))):
         vertices = "yes"
     elif sorted(match) == list(range(len(points))):
         vertices = "renumbered"
+    elif coordinates.startswith("off"):
+        vertices = ""
     else:
         vertices = "%d of %d" % (len(others), len(points))
     there = [tuple(match[i] for i in f) for f in other_faces]
@@ -136,6 +141,8 @@ def compare(mesh, other):
         kept = "other first corner"
     elif sorted(map(turned_to_smallest, there)) == sorted(map(turned_to_smallest, faces)):
         kept = "renumbered"
+    elif coordinates.startswith("off"):
+        kept = ""
     elif len(there) != len(faces):
         kept = "%d of %d" % (len(there), len(faces))
     else:
@@ -159,28 +166,51 @@ def merged(mesh):
 
 
 def joined(words):
-    """One word for the two bodies. What is rounded may keep the numbers of one of them by chance."""
-    words = list(dict.fromkeys(words))
+    """One word for the two bodies. What is rounded may keep the numbers of one of them by chance; the flat one may be
+    nothing any more when the round one is."""
+    words = list(dict.fromkeys(w for w in words if w)) or [""]
     if len(words) == 2 and (words[0] == "yes" or words[1].startswith(words[0])):
         return words[1]
-    if len(words) == 2 and (words[1] == "yes" or words[0].startswith(words[1])):
+    if len(words) == 2 and (words[1] == "yes" or words[0].startswith(words[1]) or words[1].startswith("off")):
         return words[0]
     return " / ".join(words)
 
 
 def shortened(message, folder):
-    message = message.replace(str(folder) + "/", "").replace("|", "/")
+    message = re.sub(r"back_\d+", "back", message.replace(str(folder) + "/", "").replace("|", "/"))
     return message if len(message) <= 110 else message[:107] + "..."
 
 
-def mesh_there_and_back(own, program, form, originals, folder):
+def measure(own, program, originals, outputs, folder):
+    """The rows of the three tables."""
+    def job(source):
+        number = len(jobs)
+        held, target = folder / ("held_%d.json" % number), source.parent / ("back_%d%s" % (number, source.suffix))
+        jobs.append((str(source), str(held), str(target)))
+        return number
+
+    jobs = []
+    meshes = [[job(source) for source, _, _ in originals[form]] for form in program.meshes]
+    others = [[job(outputs[name][0]) for name in names] for names in (program.curves, program.parts)]
+    if hasattr(program, "lines"):  # programs of the command line tell what they hold by a PLY file
+        for number in others[0] + others[1]:
+            jobs[number] = jobs[number][:2] + (jobs[number][2].rsplit(".", 1)[0] + ".ply",)
+    for _, held, target in jobs:
+        for name in (held, held + ".message", target, target + ".as_read.off"):
+            pathlib.Path(name).unlink(missing_ok=True)
+    messages = program.run(jobs)
+    results = [(pathlib.Path(held), pathlib.Path(target), message) for (_, held, target), message in zip(jobs, messages)]
+    return {"meshes": [[form] + mesh_there_and_back(own, form, originals[form], [results[n] for n in numbers], folder)
+                       for form, numbers in zip(program.meshes, meshes)],
+            "curves": [[name] + curves_read(program, outputs[name], results[n], folder)
+                       for name, n in zip(program.curves, others[0])],
+            "parts": [[name] + parts_read(program, outputs[name], results[n], folder)
+                      for name, n in zip(program.parts, others[1])]}
+
+
+def mesh_there_and_back(own, form, originals, results, folder):
     columns, remarks = [], []
-    for source, curves, mesh in originals[form]:
-        ending = source.suffix
-        held, target = folder / "held.json", folder / ("back" + ending)
-        for name in (held, target, pathlib.Path(str(target) + ".as_read.off")):
-            name.unlink(missing_ok=True)
-        message = program.run(str(source), str(held), str(target))
+    for (source, curves, mesh), (held, target, message) in zip(originals, results):
         has_read, has_written = held.exists(), target.exists() and target.stat().st_size > 0
         read = triangles(json.load(open(held))) if has_read else None
         if has_read and any(len(f) != 3 for f in read[1]):
@@ -308,14 +338,10 @@ def same_numbers(values, expected):
     return len(values) == len(expected) and all(len(v) == 1 and v[0] == e for v, e in zip(values, expected))
 
 
-def read_by(program, source, folder):
-    """What a program holds of a file, or None, and its message. Programs of the command line write PLY."""
-    held, target = folder / "held.json", folder / "written.ply"
-    has_held = not hasattr(program, "lines")
-    for name in (held, target, folder / ("written" + source.suffix)):
-        name.unlink(missing_ok=True)
-    message = program.run(str(source), str(held), str(target if not has_held else folder / ("written" + source.suffix)))
-    if has_held:
+def read_by(program, result):
+    """What a program holds of a file, or None, and its message."""
+    held, target, message = result
+    if not hasattr(program, "lines"):
         return (json.load(open(held)) if held.exists() else None), message
     try:
         return (ply_of_parts(target) if target.exists() else None), message
@@ -323,9 +349,9 @@ def read_by(program, source, folder):
         return None, "PLY not understood: %s" % error
 
 
-def curves_read(program, output, folder):
+def curves_read(program, output, result, folder):
     source, curves = output
-    held, message = read_by(program, source, folder)
+    held, message = read_by(program, result)
     if held is None or not held["points"] or any(x is None for p in held["points"] for x in p):
         return ["refused", "", "", "", shortened(message or "nothing is read", folder)]
     segments, ids, colours = [], [], []
@@ -367,9 +393,9 @@ def curves_read(program, output, folder):
             "" if source.suffix == ".ply" else "yes" if numbers else "apart, without numbers" if one_each else "lost", ""]
 
 
-def parts_read(program, output, folder):
+def parts_read(program, output, result, folder):
     source, expected = output
-    held, message = read_by(program, source, folder)
+    held, message = read_by(program, result)
     if held is None or not held["faces"]:
         return ["refused", "", "", shortened(message or "nothing is read", folder)]
     whole = len(held["faces"]) == len(expected["faces"])

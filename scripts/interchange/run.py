@@ -60,19 +60,27 @@ def measure(arguments, chosen, folder):
         except Exception as error:
             print("  not installed: %s" % error, file=sys.stderr, flush=True)
             continue
-        tables[key] = {
-            "meshes": [[form] + measures.mesh_there_and_back(own, program, form, originals, folder)
-                       for form in program.meshes],
-            "curves": [[form] + measures.curves_read(program, outputs[form], folder) for form in program.curves],
-            "parts": [[name] + measures.parts_read(program, outputs[name], folder) for name in program.parts]}
+        tables[key] = measures.measure(own, program, originals, outputs, folder)
         results.write_text(json.dumps(tables, indent=1))
-    for kind, head in (("meshes", ["coordinates", "vertices", "faces", "round", "flat", "remark"]),
+    for kind, head in (("meshes", ["coordinates", "numbering", "round", "flat", "remark"]),
                        ("curves", ["edges", "coordinates", "colours", "numbers", "remark"]),
                        ("parts", ["faces", "colours", "numbers or names", "remark"])):
         rows = [[p.name, p.version] + row for p in chosen for row in tables.get("%s %s" % (p.name, p.version), {}).get(
             kind, [])]
+        if kind == "meshes":
+            rows = [row[:4] + [numbering(*row[4:6])] + row[6:] for row in rows]
         print_table(["program", "format"] + head,
                     [["%s %s" % tuple(r[:2])] + r[2:] for r in rows] if arguments.rows else shared(rows))
+
+
+def numbering(vertices, faces):
+    """One word for two columns."""
+    if vertices == faces:
+        return vertices
+    if faces == "yes":
+        return "vertices renumbered" if vertices == "renumbered" else (
+            "a vertex for each corner" if vertices == "one a corner" else vertices + " vertices")
+    return "faces: " + faces if vertices == "yes" else "vertices: %s, faces: %s" % (vertices, faces)
 
 
 def shared(rows):
