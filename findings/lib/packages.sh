@@ -19,7 +19,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 chmod 755 "$work"
 triplet=$(gcc -print-multiarch 2> /dev/null || echo x86_64-linux-gnu)
-export PATH="$work/root/usr/bin:$PATH"
+export PATH="$work/root/usr/bin:/usr/bin:$PATH" # the Python of Debian, for its modules
 export LD_LIBRARY_PATH="$work/root/usr/lib/$triplet:$work/root/lib/$triplet"
 export LIBRARY_PATH="$LD_LIBRARY_PATH"
 export CPLUS_INCLUDE_PATH="$work/root/usr/include:$work/root/usr/include/eigen3"
