@@ -14,7 +14,7 @@ class Program:
     command line say nothing, and convert."""
 
     def __init__(self, name, version, meshes, curves, parts):
-        self.name, self.version = name, version
+        self.name, self.version, self.full_name = name, version, "%s %s" % (name, version)
         self.meshes, self.curves, self.parts = meshes, curves, parts
 
     def commands(self, source, held, target):
@@ -44,7 +44,7 @@ def failure(command, environment):
     lines = [line for line in lines if line.lower().strip(": ") not in ("", "error")]
     errors = [line for line in lines if "Assertion" in line or "error" in line.lower()]
     line = (errors or lines or ["exit code %d" % done.returncode])[-1]
-    return line[max(line.find("Assertion"), 0):]
+    return line[max(line.find("Assertion"), 0):].replace("what():  ", "")
 
 
 class Python_program(Program):
@@ -170,7 +170,7 @@ def assimp(source, target):
 
 
 def meshlabserver(source, target):
-    # What is to be saved is told in letters: colours of vertices and of faces.
+    # What is to be saved: colours of vertices and of faces.
     return [["meshlabserver", "-i", source, "-o", target, "-m", "vc", "fc"]]
 
 

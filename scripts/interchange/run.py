@@ -16,6 +16,7 @@ npm, and x86-64. Nothing is installed on the machine.
 import argparse
 import json
 import pathlib
+import subprocess
 import sys
 import tempfile
 
@@ -45,28 +46,26 @@ def main():
 
 def measure(arguments, chosen, folder):
     cache = pathlib.Path(arguments.cache).resolve() if arguments.cache else folder / "packages"
-    own = measures.Constrictions(pathlib.Path(arguments.constrictions).resolve())
-    originals = measures.write_originals(own, folder, arguments.mesh)
-    outputs = measures.write_outputs(own, folder)
     results = pathlib.Path(arguments.results) if arguments.results else folder / "results.json"
     tables = json.load(open(results)) if results.exists() else {}
-    for program in chosen:
-        key = "%s %s" % (program.name, program.version)
-        if key in tables:
-            continue
-        print(key, file=sys.stderr, flush=True)
+    left = [p for p in chosen if p.full_name not in tables]
+    if left:
+        own = measures.Constrictions(pathlib.Path(arguments.constrictions).resolve())
+        originals = measures.write_originals(own, folder, arguments.mesh)
+        outputs = measures.write_outputs(own, folder)
+    for program in left:
+        print(program.full_name, file=sys.stderr, flush=True)
         try:
             program.install(cache)
-        except Exception as error:
+        except (OSError, RuntimeError, subprocess.CalledProcessError) as error:
             print("  not installed: %s" % error, file=sys.stderr, flush=True)
             continue
-        tables[key] = measures.measure(own, program, originals, outputs, folder)
+        tables[program.full_name] = measures.measure(own, program, originals, outputs, folder)
         results.write_text(json.dumps(tables, indent=1))
     for kind, head in (("meshes", ["coordinates", "numbering", "round", "flat", "remark"]),
                        ("curves", ["edges", "coordinates", "colours", "numbers", "remark"]),
                        ("parts", ["faces", "colours", "numbers or names", "remark"])):
-        rows = [[p.name, p.version] + row for p in chosen for row in tables.get("%s %s" % (p.name, p.version), {}).get(
-            kind, [])]
+        rows = [[p.name, p.version] + row for p in chosen for row in tables.get(p.full_name, {}).get(kind, [])]
         if kind == "meshes":
             rows = [row[:4] + [numbering(*row[4:6])] + row[6:] for row in rows]
         print_table(["program", "format"] + head,
