@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The same call on an OpenMesh mesh. OpenMesh comes before the adaptor.
+// The same call on an OpenMesh mesh. OpenMesh comes before the adaptor. It reads coordinates in single precision, also
+// into points of doubles, and the certificates are those of this rounded surface.
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

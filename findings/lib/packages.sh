@@ -4,6 +4,8 @@
 #
 #   debian PACKAGE=VERSION ...    unpacks packages of Debian 12 into $work/root, with what they need and this machine
 #                                 lacks; the machine runs Debian 12, so that its libraries fit
+#   debian_13 PACKAGE=VERSION ... unpacks packages of Debian 13 that are written in Python into $work/root_13, and nothing
+#                                 that they need: list that for debian
 #   npm_packages NAME@VERSION ... installs packages of the npm registry into $work/node_modules
 #   compile SOURCE LIBRARY ...    compiles $work/SOURCE.cpp to $work/SOURCE with the unpacked headers
 #   verdict SEEN STATED           ends the script, with exit code 0 if both are equal
@@ -17,7 +19,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 chmod 755 "$work"
 triplet=$(gcc -print-multiarch 2> /dev/null || echo x86_64-linux-gnu)
-export PATH="$work/root/usr/bin:$PATH"
+export PATH="$work/root/usr/bin:/usr/bin:$PATH" # the Python of Debian, for its modules
 export LD_LIBRARY_PATH="$work/root/usr/lib/$triplet:$work/root/lib/$triplet"
 export LIBRARY_PATH="$LD_LIBRARY_PATH"
 export CPLUS_INCLUDE_PATH="$work/root/usr/include:$work/root/usr/include/eigen3"
@@ -46,20 +48,40 @@ debian() {
   kept root unpack_debian "$@"
 }
 
-unpack_debian() {
-  mkdir -p "$work"/{root,lists/partial,cache/archives/partial}
-  local apt=(nice -n 19 apt-get --quiet=2 -o Acquire::Retries=3 -o Acquire::Languages=none -o Debug::NoLocking=1
-    -o APT::Sandbox::User= -o Dir::Etc::sourcelist="$work/sources.list" -o Dir::Etc::sourceparts=/dev/null
+debian_13() {
+  kept root_13 unpack_debian_13 "$@"
+  PYTHONPATH+=":$work/root_13/usr/lib/python3/dist-packages"
+}
+
+use_apt() { # RELEASE
+  mkdir -p "$work/$1"/{lists/partial,cache/archives/partial}
+  apt=(nice -n 19 apt-get --quiet=2 -o Acquire::Retries=3 -o Acquire::Languages=none -o Debug::NoLocking=1
+    -o APT::Sandbox::User= -o Dir::Etc::sourcelist="$work/$1/sources.list" -o Dir::Etc::sourceparts=/dev/null
     -o Dir::Etc::preferences=/dev/null -o Dir::Etc::preferencesparts=/dev/null
-    -o Dir::State::lists="$work/lists" -o Dir::Cache="$work/cache")
+    -o Dir::State::lists="$work/$1/lists" -o Dir::Cache="$work/$1/cache")
   echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg]" \
-    "${DEBIAN_MIRROR:-http://deb.debian.org/debian} bookworm main" > "$work/sources.list"
+    "${DEBIAN_MIRROR:-http://deb.debian.org/debian} $1 main" > "$work/$1/sources.list"
   "${apt[@]}" update
+}
+
+unpack_debian() {
+  local apt deb
+  mkdir -p "$work/root"
+  use_apt bookworm
   "${apt[@]}" install --download-only --reinstall --no-install-recommends --allow-downgrades --yes "$@" \
     > "$work/apt.log"
-  local deb
-  for deb in "$work"/cache/archives/*.deb; do
+  for deb in "$work"/bookworm/cache/archives/*.deb; do
     dpkg-deb --extract "$deb" "$work/root"
+  done
+}
+
+unpack_debian_13() {
+  local apt deb
+  mkdir -p "$work/root_13"
+  use_apt trixie
+  (cd "$work/trixie/cache" && "${apt[@]}" download "$@")
+  for deb in "$work"/trixie/cache/*.deb; do
+    dpkg-deb --extract "$deb" "$work/root_13"
   done
 }
 

@@ -149,58 +149,108 @@ private:
     return result;
   }
 
-  // Whether a point is in a triangle of a face of the file. False if there is no such face.
-  bool is_in_face(const Point& p, std::uint64_t f, double distance) const
+  // Three coordinates as they are in the file; nothing if the member is something else.
+  static std::optional<Barycentric> coordinates_of(const Json& location)
   {
+    const auto it = location.find("barycentric");
+    if(it == location.end() || !it->is_array() || it->size() != 3 ||
+       !std::all_of(it->begin(), it->end(), [](const Json& x) { return x.is_number(); }))
+      return std::nullopt;
+    return Barycentric{(*it)[0].get<double>(), (*it)[1].get<double>(), (*it)[2].get<double>()};
+  }
+
+  // Whether a point is in a triangle of the face that a location names. If the face is a triangle in the file, too, of
+  // its edges the one that the location names must be nearest, and of its corners that of the pivot. To ask for the
+  // nearest one allows for a mesh whose vertices have been rounded, along with the edges between them.
+  bool is_at(const Point& p, const Json& location, const std::optional<std::uint64_t>& pivot, double distance) const
+  {
+    typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+    const std::uint64_t f = location["face"].get<std::uint64_t>();
     if(f >= m_numbering.faces)
       return false;
     const bool is_plain = m_numbering.face.empty();
     const std::size_t begin = is_plain ? f : m_first_triangle[f], end = is_plain ? f + 1 : m_first_triangle[f + 1];
     for(std::size_t t = begin; t < end; ++t)
     {
-      const Mesh::Halfedge_index h = m_mesh.halfedge(Mesh::Face_index(static_cast<Mesh::size_type>(t)));
-      const CGAL::Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle(
-          m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)), m_mesh.point(m_mesh.target(m_mesh.next(h))));
-      if(CGAL::squared_distance(p, triangle) <= distance * distance)
+      const Mesh::Face_index face(static_cast<Mesh::size_type>(t));
+      const Mesh::Halfedge_index h = m_mesh.halfedge(face);
+      const std::array<Mesh::Vertex_index, 3> corners = {m_mesh.source(h), m_mesh.target(h),
+                                                         m_mesh.target(m_mesh.next(h))};
+      const auto place = [&](std::size_t i) { return m_mesh.point(corners[i % 3]); };
+      if(CGAL::squared_distance(p, Kernel::Triangle_3(place(0), place(1), place(2))) > distance * distance)
+        continue;
+      std::optional<Barycentric> b = coordinates_of(location);
+      if(!b || m_numbering.is_piece_of_polygon(face))
         return true;
+      if(m_numbering.is_turned_round(face))
+        std::swap((*b)[1], (*b)[2]);
+      const auto is_nearest = [&](std::size_t named, const auto& squared_distance) {
+        const double d = squared_distance(named);
+        return d <= distance * distance || (d <= squared_distance(named + 1) && d <= squared_distance(named + 2));
+      };
+      if(pivot)
+      {
+        const std::size_t corner = static_cast<std::size_t>(std::max_element(b->begin(), b->end()) - b->begin());
+        return is_called(corners[corner], *pivot) &&
+               is_nearest(corner, [&](std::size_t i) { return CGAL::squared_distance(p, place(i)); });
+      }
+      if(std::count(b->begin(), b->end(), 0.) > 1)
+        return true; // beside a corner, where two edges are near
+      return is_nearest(opposite_of_edge(*b), [&](std::size_t i) {
+        return CGAL::squared_distance(p, Kernel::Segment_3(place(i + 1), place(i + 2)));
+      });
     }
     return false;
   }
 
-  // The faces that locations name; none if one of them names none.
-  static std::vector<std::uint64_t> faces_of(const Json& locations)
+  // Whether each location names a face.
+  static bool have_faces(const Json& locations)
   {
-    std::vector<std::uint64_t> result;
-    for(const Json& location : locations)
-    {
-      if(!location.is_object() || !location.contains("face") || !location["face"].is_number_unsigned())
-        return {};
-      result.push_back(location["face"].get<std::uint64_t>());
-    }
+    return std::all_of(locations.begin(), locations.end(), [](const Json& location) {
+      return location.is_object() && location.contains("face") && location["face"].is_number_unsigned();
+    });
+  }
+
+  // The vertex of the file at each point that is a pivot.
+  static std::vector<std::optional<std::uint64_t>> pivots_of(const Json& curve, std::size_t number_of_points)
+  {
+    std::vector<std::optional<std::uint64_t>> result(number_of_points);
+    const auto is_number = [](const Json& pivot, const char* key) {
+      return pivot.is_object() && pivot.contains(key) && pivot[key].is_number_unsigned();
+    };
+    if(curve.contains("pivots") && curve["pivots"].is_array())
+      for(const Json& pivot : curve["pivots"])
+        if(is_number(pivot, "vertex") && is_number(pivot, "point") &&
+           pivot["point"].get<std::uint64_t>() < number_of_points)
+          result[pivot["point"].get<std::size_t>()] = pivot["vertex"].get<std::uint64_t>();
     return result;
   }
 
-  // Whether most points are not where the numbers say. What cannot be understood is no reason: it is told later.
+  // Whether more than a quarter of the crossings, or of the pivots, are not where the numbers say: the compression of
+  // meshoptimizer turns two faces of five. A single wrong number is for the certificate to find. What cannot be
+  // understood is no reason: it is told later.
   bool is_numbered_anew(const Json& curves) const
   {
     const double distance = tolerance();
-    std::size_t points = 0, elsewhere = 0;
+    std::array<std::size_t, 2> points = {0, 0}, elsewhere = {0, 0}; // of crossings and of pivots
     for(const Json& curve : curves)
     {
       const std::optional<std::vector<Point>> places = points_of(curve);
       if(!places || !curve.contains("locations") || !curve["locations"].is_array() ||
-         curve["locations"].size() != places->size())
+         curve["locations"].size() != places->size() || !have_faces(curve["locations"]))
         continue;
-      const std::vector<std::uint64_t> faces = faces_of(curve["locations"]);
-      for(std::size_t i = 0; i < faces.size(); ++i)
+      const std::vector<std::optional<std::uint64_t>> pivots = pivots_of(curve, places->size());
+      for(std::size_t i = 0; i < places->size(); ++i)
       {
-        const std::size_t from_behind = faces.size() - 1 - i; // others may have turned the locations round
-        ++points;
-        elsewhere +=
-            !is_in_face((*places)[i], faces[i], distance) && !is_in_face((*places)[i], faces[from_behind], distance);
+        const std::size_t from_behind = places->size() - 1 - i; // others may have turned the locations round
+        const Json& location = curve["locations"][i];
+        const std::size_t kind = pivots[i] ? 1 : 0;
+        ++points[kind];
+        elsewhere[kind] += !is_at((*places)[i], location, pivots[i], distance) &&
+                           !is_at((*places)[from_behind], location, pivots[i], distance);
       }
     }
-    return 2 * elsewhere > points;
+    return 4 * elsewhere[0] > points[0] || 4 * elsewhere[1] > points[1];
   }
 
   std::vector<Constriction> find_curves(const Json& curves, const std::vector<std::uint64_t>& ids)
@@ -335,11 +385,11 @@ private:
 
   Location read_location(const Json& location, Mesh::Face_index face, Mesh::Vertex_index pivot) const
   {
-    const Json& coordinates = array(location, "barycentric");
-    if(coordinates.size() != 3 ||
-       !std::all_of(coordinates.begin(), coordinates.end(), [](const Json& x) { return x.is_number(); }))
+    array(location, "barycentric");
+    const std::optional<Barycentric> coordinates = coordinates_of(location);
+    if(!coordinates)
       fail("\"barycentric\" is not three numbers");
-    Barycentric b = {coordinates[0].get<double>(), coordinates[1].get<double>(), coordinates[2].get<double>()};
+    Barycentric b = *coordinates;
     // one digit behind the point is enough
     const double sum_tolerance = 0.2;
     if(*std::min_element(b.begin(), b.end()) < -zero_tolerance || !(std::abs(b[0] + b[1] + b[2] - 1) < sum_tolerance))
@@ -364,6 +414,22 @@ private:
     return h;
   }
 
+  // Whether this is the number of a vertex in the file, or that of one which it stands for.
+  bool is_called(Mesh::Vertex_index v, std::uint64_t vertex_of_file) const
+  {
+    const Index of_file = m_numbering.vertex_of(v);
+    return vertex_of_file == of_file ||
+           (vertex_of_file < m_numbering.vertices && m_numbering.stand_in_of(vertex_of_file) == of_file);
+  }
+
+  // The corner opposite to the edge on which these coordinates are.
+  static std::size_t opposite_of_edge(const Barycentric& b)
+  {
+    const auto nearest_zero =
+        std::min_element(b.begin(), b.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+    return static_cast<std::size_t>(nearest_zero - b.begin());
+  }
+
   static Location location_at(Mesh::Vertex_index v) { return {true, v, Mesh::null_halfedge(), 0}; }
 
   Location location_at_vertex(Mesh::Face_index face, const Barycentric& b, Mesh::Vertex_index pivot) const
@@ -371,23 +437,19 @@ private:
     const std::size_t corner = static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin());
     const Mesh::Vertex_index v = m_mesh.source(halfedge_from_corner(face, corner));
     const bool is_at_corner = b[(corner + 1) % 3] < zero_tolerance && b[(corner + 2) % 3] < zero_tolerance;
-    const Index of_file = m_numbering.vertex_of(v);
-    const bool is_same = pivot.idx() == of_file || m_numbering.stand_in_of(pivot.idx()) == of_file;
-    if(!is_at_corner || !is_same)
+    if(!is_at_corner || !is_called(v, pivot.idx()))
       fail("the pivot is vertex " + std::to_string(pivot.idx()) + ", the location another place");
     return location_at(v);
   }
 
   Location location_on_edge(Mesh::Face_index face, const Barycentric& b) const
   {
-    const auto nearest_zero =
-        std::min_element(b.begin(), b.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
     if(std::count(b.begin(), b.end(), 0.) > 1)
       return location_at(m_mesh.source(
           halfedge_from_corner(face, static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin()))));
-    if(std::abs(*nearest_zero) >= zero_tolerance)
+    const std::size_t opposite = opposite_of_edge(b), first = opposite + 1;
+    if(std::abs(b[opposite]) >= zero_tolerance)
       fail("no coordinate of \"barycentric\" is zero: the point is on no edge");
-    const std::size_t first = static_cast<std::size_t>(nearest_zero - b.begin()) + 1;
     const double from = b[first % 3], to = b[(first + 1) % 3];
     return {false, Mesh::null_vertex(), halfedge_from_corner(face, first), to / (from + to)};
   }

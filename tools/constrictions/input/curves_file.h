@@ -31,8 +31,9 @@ struct Curves
 ///   pivots.
 /// - "id", which may be missing: then it is the curve's place, counted from 0.
 ///
-/// If the member "points" is there, and fewer than half of these points are in the faces that the locations name, the mesh
-/// has been numbered anew. Then the points are looked for on the mesh, within 1e-5 of the diagonal of its box, which
+/// If the member "points" is there, and more than a quarter of the crossings, or of the pivots, are not in the
+/// faces, and there nearest to the edges or corners, that the locations and pivots name, the mesh has been numbered
+/// anew, or its faces begin at other corners. Then the points are looked for on the mesh, within 1e-5 of the diagonal of its box, which
 /// allows for a file with six digits.
 ///
 /// Which of its two faces an edge is crossed from follows from the neighbouring points, or, where these leave a doubt,
