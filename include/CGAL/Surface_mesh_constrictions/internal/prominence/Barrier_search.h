@@ -247,8 +247,11 @@ private:
 
   bool is_lower(Index curve) const { return is_lower(m_tightener.length(curve), curve); }
 
+  // A point is shorter than any curve, also than one whose length is rounded to zero.
   bool is_lower(double length, Index longest) const
   {
+    if(longest == null_index)
+      return true;
     const double tolerance = equal_length_tolerance * m_goal_length;
     return length < m_goal_length - tolerance || (length <= m_goal_length + tolerance && m_with_ties &&
                                                   longest != m_goal && m_tightener.precedes(longest, m_goal));
