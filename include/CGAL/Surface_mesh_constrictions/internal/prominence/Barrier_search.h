@@ -329,6 +329,7 @@ private:
 
   void climb(std::size_t s)
   {
+    const double infinity = (std::numeric_limits<double>::infinity)();
     Side& side = m_sides[s];
     const double length = advance(s);
     const std::size_t level = m_sweep.level(s);
@@ -342,7 +343,11 @@ private:
     if(is_below)
       side.next_level_below = level + 1 + level / 8;
     while(side.next_height <= side.highest())
-      side.next_height = m_length + rise * (side.next_height - m_length);
+    {
+      const double higher = m_length + rise * (side.next_height - m_length);
+      // not higher, if the length is rounded to zero, or to few bits
+      side.next_height = higher > side.next_height ? higher : std::nextafter(side.highest(), infinity);
+    }
   }
 
   double advance(std::size_t s)
