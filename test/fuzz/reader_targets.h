@@ -11,9 +11,11 @@
 #include "input/curves_file.h"
 #include "input/input_file.h"
 #include "input/labels_file.h"
+#include "input/landmarks_file.h"
 #include "input/loops_file.h"
 #include "input/mesh_file.h"
 #include "output/mesh_as_text.h"
+#include "zip_archive.h"
 
 #include <CGAL/Surface_mesh_constrictions/Invalid_input.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
@@ -80,16 +82,32 @@ bool is_read(const Function& function)
   return false;
 }
 
-// The first byte chooses extension and strictness. What is read is a triangle mesh of finite points; written and read
-// again it is the same, if nothing had to be repaired. Returns whether it was read.
+// A 3MF file with this model. Bytes that are changed at random would never be an archive.
+inline std::string archive_of(const std::string& model)
+{
+  const std::string relations = "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
+                                "<Relationship Id=\"r\" Target=\"/3D/3dmodel.model\" "
+                                "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
+                                "</Relationships>";
+  return constrictions::zip_of({{"_rels/.rels", relations}, {"3D/3dmodel.model", model}});
+}
+
+// The bits of the first byte choose: the extension, strictness, whether near points are merged, and whether the rest is
+// the model in a 3MF file. What is read is a triangle mesh of finite points; written and read again it is the same, if
+// nothing had to be repaired. Returns whether it was read.
 inline bool run_mesh_reader_target(const std::uint8_t* data, std::size_t size)
 {
   if(size == 0)
     return false;
-  const std::array<const char*, 5> extensions = {{".off", ".obj", ".ply", ".stl", ".gz"}};
+  const std::array<const char*, 8> extensions = {{".off", ".obj", ".ply", ".stl", ".gz", ".vtk", ".vtp", ".glb"}};
   constrictions::Reading reading;
-  reading.is_strict = data[0] % 16 >= 8;
-  const Temporary_file file(extensions[data[0] % 8 % extensions.size()], data + 1, size - 1);
+  reading.is_strict = (data[0] & 8) != 0;
+  if((data[0] & 16) != 0)
+    reading.merging_distance = 0.5;
+  std::string content(reinterpret_cast<const char*>(data) + 1, size - 1);
+  if((data[0] & 32) != 0 && constrictions::has_zip())
+    content = archive_of(content);
+  const Temporary_file file(extensions[data[0] % extensions.size()], content.data(), content.size());
   constrictions::File_record record;
   constrictions::Mesh mesh;
   if(!is_read([&] { mesh = constrictions::read_mesh_file(file.name(), reading, record); }))
@@ -143,8 +161,8 @@ inline Body waist()
   return body;
 }
 
-// The first byte chooses among curves, loops and labels, on two frusta that are joined at a square of four edges. Curves
-// that are read are compared with the oracle. Returns whether the file was read.
+// The first byte chooses among curves, loops, labels, places and loops through places, on two frusta that are joined at
+// a square of four edges. Curves that are read are compared with the oracle. Returns whether the file was read.
 inline bool run_curve_reader_target(const std::uint8_t* data, std::size_t size, Tally& tally)
 {
   if(size == 0)
@@ -164,7 +182,7 @@ inline bool run_curve_reader_target(const std::uint8_t* data, std::size_t size, 
   numbering.vertices = mesh.number_of_vertices();
   numbering.faces = mesh.number_of_faces();
   const Temporary_file file(".txt", data + 1, size - 1);
-  switch(data[0] % 4)
+  switch(data[0] % 8)
   {
   case 0:
     return is_read([&] {
@@ -177,6 +195,20 @@ inline bool run_curve_reader_target(const std::uint8_t* data, std::size_t size, 
     return is_read([&] {
       if(constrictions::read_labels_file(file.name(), numbering.faces).size() != numbering.faces)
         fail("there are not as many labels as faces");
+    });
+  case 4:
+    return is_read([&] {
+      for(const auto& landmark : constrictions::read_landmarks_file(file.name()))
+        for(double x : landmark.location)
+          if(!std::isfinite(x))
+            fail("a coordinate of a place is not finite");
+    });
+  case 5:
+    return is_read([&] {
+      for(const auto& places : constrictions::read_places_file(file.name(), mesh, numbering).places)
+        for(const Mesh::Point& p : places)
+          if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+            fail("a coordinate of a place is not finite");
     });
   default:
   {

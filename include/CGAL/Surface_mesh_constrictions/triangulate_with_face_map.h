@@ -109,7 +109,7 @@ void triangulate_with_face_map_checked(const PolygonMesh& pm, TriangleMesh& tm, 
       points.push_back(internal::nearest_point(get(vpm, target(h, tm))));
     const std::vector<internal::Polygon_triangle> triangles =
         internal::triangulate_polygon(points, [&](std::size_t i, std::size_t j) {
-          return !CGAL::halfedge(target(corners[i], tm), target(corners[j], tm), tm).second;
+          return !halfedge(target(corners[i], tm), target(corners[j], tm), tm).second;
         });
 
     // an ear, a triangle with two sides on the border of what is left, is cut off until a triangle is left

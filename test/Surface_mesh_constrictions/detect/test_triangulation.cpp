@@ -182,4 +182,31 @@ TEST(Triangulation, polygons_that_cross_themselves_end)
   EXPECT_EQ(SMC::internal::triangulate_polygon(nothing, allowed).size(), 3u);
 }
 
+// The bow has one crossing, and comes to one corner twice: so it has as many places as corners.
+TEST(Triangulation, a_polygon_whose_crossing_makes_up_for_a_double_corner_ends)
+{
+  const auto allowed = [](std::size_t, std::size_t) { return true; };
+  const std::vector<Point> bow = {Point(0, 1, 0), Point(2, 0, 0), Point(0, 0, 0), Point(1, 1, 0), Point(1, 1, 0)};
+  EXPECT_TRUE(SMC::internal::delaunay_triangulation(bow).empty());
+  EXPECT_EQ(SMC::internal::triangulate_polygon(bow, allowed).size(), 3u);
+}
+
+TEST(Triangulation, polygons_that_touch_themselves_have_no_delaunay_triangulation)
+{
+  // corner 3 lies on the side from 0 to 1, or on corner 0
+  for(const Point& p : {Point(2, 0, 0), Point(0, 0, 0)})
+    EXPECT_TRUE(
+        SMC::internal::delaunay_triangulation({Point(0, 0, 0), Point(4, 0, 0), Point(4, 4, 0), p, Point(0, 4, 0)})
+            .empty());
+}
+
+TEST(Triangulation, polygons_whose_normal_is_no_double_end)
+{
+  const auto allowed = [](std::size_t, std::size_t) { return true; };
+  const std::vector<Point> large = {Point(0, 0, 0), Point(1e200, 0, 0), Point(2e200, 1e200, 0), Point(1e200, 2e200, 0),
+                                    Point(0, 1e200, 0)};
+  EXPECT_TRUE(SMC::internal::delaunay_triangulation(large).empty());
+  EXPECT_EQ(SMC::internal::triangulate_polygon(large, allowed).size(), 3u);
+}
+
 } // namespace test_triangulation

@@ -85,7 +85,8 @@ TEST(MultiprecisionDisc, HoldsTheExactPointAndStaysSmallWhereItIsTurned)
 TEST(SquareRootBasis, ReducesToSquareClasses)
 {
   // 12 = 3 * 2^2, 27 = 3 * 3^2, 18 = 2 * 3^2, 24 = 2 * 3 * 2^2, 25 = 5^2
-  const Square_root_basis basis({12, 27, 18, 24, 25, 0, fraction(3, 4)});
+  Work_budget budget;
+  const Square_root_basis basis({12, 27, 18, 24, 25, 0, fraction(3, 4)}, budget);
   EXPECT_TRUE(basis.is_valid());
   ASSERT_EQ(basis.basis().size(), 2u);
   EXPECT_EQ(basis.root(12).coefficient, 1);
@@ -106,7 +107,8 @@ TEST(SquareRootBasis, EachRootSquaredIsItsRadicand)
   std::vector<Rational> radicands;
   for(int i = 0; i < 40; ++i)
     radicands.push_back(fraction(integer(random), integer(random)));
-  const Square_root_basis basis(radicands);
+  Work_budget budget;
+  const Square_root_basis basis(radicands, budget);
   for(const Rational& r : radicands)
   {
     Rational square = basis.root(r).coefficient * basis.root(r).coefficient;
@@ -129,17 +131,18 @@ TEST(SquareRootBasis, MoreThan64ClassesAreTooMany)
     if(is_prime)
       primes.emplace_back(p);
   }
-  EXPECT_FALSE(Square_root_basis(primes).is_valid());
+  Work_budget budget;
+  EXPECT_FALSE(Square_root_basis(primes, budget).is_valid());
   primes.resize(60);
-  EXPECT_TRUE(Square_root_basis(primes).is_valid());
-  EXPECT_EQ(Square_root_basis(primes).basis().size(), 60u);
+  EXPECT_TRUE(Square_root_basis(primes, budget).is_valid());
+  EXPECT_EQ(Square_root_basis(primes, budget).basis().size(), 60u);
 }
 
 // sqrt 2, sqrt 3 and sqrt 6 as elements of a field with two roots.
 struct RootsOfSix : public ::testing::Test
 {
-  Square_root_basis basis = Square_root_basis({2, 3, 6});
-  Length_budget budget;
+  Work_budget budget;
+  Square_root_basis basis = Square_root_basis({2, 3, 6}, budget);
   Radical_field field = Radical_field(basis.basis(), budget);
 
   Radical_number radical(int r) { return Radical_number(basis.root(r).coefficient, basis.root(r).mask, field); }
@@ -175,15 +178,15 @@ TEST_F(RootsOfSix, FiniteFieldRespectsEveryRelation)
 TEST_F(RootsOfSix, TooManyStepsAreGivenUp)
 {
   field.steps_left = 3;
-  EXPECT_THROW((radical(2) + radical(3)) * (radical(2) + radical(3)), Too_many_terms);
+  EXPECT_THROW((radical(2) + radical(3)) * (radical(2) + radical(3)), Too_many_steps);
 }
 
 TEST_F(RootsOfSix, LongCoefficientsTakeMoreSteps)
 {
-  const auto length = [this](const Radical_number& x, const Radical_number& y, const auto& operation) {
+  const auto steps = [this](const Radical_number& x, const Radical_number& y, const auto& operation) {
     const std::size_t before = budget.steps_left, left = field.steps_left;
     operation(x, y);
-    EXPECT_GE(left - field.steps_left, before - budget.steps_left);
+    EXPECT_EQ(left - field.steps_left, before - budget.steps_left);
     return before - budget.steps_left;
   };
   const auto times = [](const Radical_number& x, const Radical_number& y) { return x * y; };
@@ -192,21 +195,22 @@ TEST_F(RootsOfSix, LongCoefficientsTakeMoreSteps)
   // as long as a product of a dozen coordinates near 1 and a dozen that are subnormal
   const Rational thousands = 1 + 1 / Rational(Integer(1) << 12 * 1074);
   const Radical_number long_one(thousands, 0, field), long_root(thousands, 1, field);
-  const std::size_t long_product = length(long_one, long_one, times);
+  const std::size_t long_product = steps(long_one, long_one, times), short_product = 1;
   EXPECT_GT(long_product, 100u);
-  EXPECT_EQ(length(long_one, long_one, plus), long_product);
-  EXPECT_EQ(length(long_one, long_one, minus), long_product);
-  EXPECT_EQ(length(long_one, long_root, plus), 0u) << "nothing is added";
-  EXPECT_GT(length(long_root, long_root, times), long_product) << "the root squared is a factor";
-  EXPECT_EQ(length(radical(2), radical(3), times), 0u);
+  EXPECT_EQ(steps(long_one, long_one, plus) + short_product, long_product);
+  EXPECT_EQ(steps(long_one, long_one, minus) + short_product, long_product);
+  EXPECT_EQ(steps(long_one, long_root, plus), 0u) << "nothing is added";
+  EXPECT_GT(steps(long_root, long_root, times), long_product) << "the root squared is a factor";
+  EXPECT_EQ(steps(radical(2), radical(3), times), short_product);
 
   field.steps_left = long_product;
-  EXPECT_THROW(long_one * long_one, Too_many_terms);
+  EXPECT_THROW(long_one * long_one, Too_many_steps);
   field.steps_left = Radical_field::max_steps;
   budget.steps_left = long_product - 1;
-  EXPECT_THROW(long_one * long_one, Too_many_terms);
-  EXPECT_THROW(long_one + long_one, Too_many_terms);
-  EXPECT_FALSE((radical(2) * radical(3)).is_zero()) << "short coefficients need no budget";
+  EXPECT_THROW(long_one * long_one, Too_many_steps);
+  EXPECT_FALSE((radical(2) * radical(3)).is_zero()) << "short coefficients need little";
+  budget.steps_left = long_product - 2;
+  EXPECT_THROW(long_one + long_one, Too_many_steps);
   budget.steps_left = long_product;
   EXPECT_FALSE((long_one * long_one).is_zero());
 }
@@ -325,6 +329,69 @@ TEST(SignProver, NumbersBelow256BitsAreProvedNonzeroAndGetTheirSign)
   EXPECT_EQ(prover.sign(expression(0)), Proved_sign::ZERO);
   EXPECT_EQ(prover.statistics().finite_field, 2u);
   EXPECT_EQ(prover.statistics().algebra, 1u);
+}
+
+TEST(SignProver, AllSignsOfACurveHaveOneBudget)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::tetrahedron());
+  const Surface surface(mesh, mesh.points());
+  const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Face_index(2));
+  const auto cosine_of_sum = [&](const auto& arithmetic) {
+    return (arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h))).x();
+  };
+  // positive, and below 256 bits
+  const auto small = [&](const auto& arithmetic, auto& values) {
+    const auto sum = arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h));
+    auto power = arithmetic.number(1);
+    for(int i = 0; i < 300; ++i)
+      power = power * arithmetic.ratio(h).x();
+    values[0] = sum.y() + power;
+  };
+  Sign_prover<Surface> prover(surface);
+  const auto number_decided = [&] {
+    std::size_t n = 0;
+    while(n < 10000 && prover.sign(small) == Proved_sign::POSITIVE)
+      ++n;
+    return n;
+  };
+  const std::size_t n = number_decided();
+  EXPECT_GT(n, 10u);
+  EXPECT_LT(n, 1000u);
+  EXPECT_EQ(prover.statistics().finite_field, n);
+  EXPECT_EQ(prover.statistics().unproved, 1u);
+  EXPECT_EQ(prover.sign(small), Proved_sign::UNPROVED);
+  EXPECT_EQ(prover.sign([&](const auto& arithmetic, auto& values) { values[0] = cosine_of_sum(arithmetic); }),
+            Proved_sign::NEGATIVE)
+      << "which needs no budget";
+  std::size_t attempts = 0, attempts_of_another = 0;
+  const auto give_up = [&](std::size_t& count) {
+    return prover.decide_by_intervals([&](const auto& arithmetic) {
+      cosine_of_sum(arithmetic);
+      ++count;
+      return false;
+    });
+  };
+  EXPECT_FALSE(give_up(attempts));
+  prover.begin_curve();
+  EXPECT_FALSE(give_up(attempts_of_another));
+  EXPECT_LT(attempts, attempts_of_another);
+  prover.begin_curve();
+  EXPECT_EQ(number_decided(), n);
+}
+
+TEST(SquareRootBasis, LongRadicandsTakeMoreSteps)
+{
+  const auto steps = [](const std::vector<Rational>& radicands) {
+    Work_budget budget;
+    const Square_root_basis basis(radicands, budget);
+    return Work_budget::max_steps - budget.steps_left;
+  };
+  const Rational long_one = 2 + 1 / Rational(Integer(1) << 12 * 1074);
+  EXPECT_GT(steps({2, 3}), 0u);
+  EXPECT_GT(steps({long_one, 3}), 2 * steps({2, 3}));
+  Work_budget budget;
+  budget.steps_left = steps({2, 3}) - 1;
+  EXPECT_THROW(Square_root_basis({2, 3}, budget), Too_many_steps);
 }
 
 TEST(SignProver, AZeroOfTooManyTermsStaysUnprovedAndDoesNotHinderOthers)

@@ -82,6 +82,8 @@ TEST_F(Scene_files, what_is_wrong_with_a_vtk_file_is_told)
   expect_file_error("count.vtk", replaced(text, "8 32", "7 32"), {"32 numbers are not those of 7 cells"});
   expect_file_error("many.vtk", replaced(text, "POINTS 6", "POINTS 999999999"), {"POINTS", "too short"});
   expect_file_error("keyword.vtk", replaced(text, "POLYGONS", "POLYGON"), {"unknown keyword \"polygon\""});
+  expect_file_error("field.vtk", replaced(text, "POINTS 6", "FIELD f 1\nTime\x02 x\nPOINTS 6"),
+                    {"line 6: \"Time?\": \"x\" is not a number"});
   expect_file_error("name.vtk", "POINTS\n", {"it does not begin with the words \"# vtk DataFile\""});
   expect_defect(Input_defect::INVALID_VERTEX_INDEX, 0, "vertex.vtk", replaced(text, "3 0 1 2", "3 0 1 6"),
                 {"face 0 refers to vertex 6 of 6"});

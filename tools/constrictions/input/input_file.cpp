@@ -12,7 +12,7 @@
 namespace constrictions {
 
 Input_file_error::Input_file_error(const std::string& file, const std::string& reason)
-  : std::runtime_error(printable(file) + ": " + reason)
+  : std::runtime_error(printable(file) + ": " + printable(reason))
 {}
 
 namespace {

@@ -8,7 +8,8 @@
 
 namespace constrictions {
 
-/// An input file that cannot be read; the message is one line that begins with the name of the file.
+/// An input file that cannot be read; the message is one line that begins with the name of the file. Control characters
+/// are replaced in it, so a reason may name what the file has.
 class Input_file_error : public std::runtime_error
 {
 public:

@@ -229,9 +229,10 @@ private:
     const std::size_t n = count("FIELD");
     for(std::size_t i = 0; i < n; ++i)
     {
-      const std::string name(m_scanner.word_of_text());
-      if(name.empty())
+      const std::string_view word_of_name = m_scanner.word_of_text();
+      if(word_of_name.empty())
         m_scanner.fail_at_word("FIELD", "an array");
+      const std::string name = constrictions::quoted(word_of_name);
       const std::size_t components = count(name), tuples = count(name);
       if(components > 0 && tuples > m_file.content.size() / components)
         m_scanner.fail(name + ": the file is too short for it");

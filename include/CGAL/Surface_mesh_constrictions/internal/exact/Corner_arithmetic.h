@@ -9,11 +9,13 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Radical_number.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Rational.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Square_root_basis.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Work_budget.h>
 
 #include <CGAL/Interval_nt.h>
 
 #include <mpfr.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -92,6 +94,11 @@ public:
     Rational dot;           // (c - a).(b - a)
     Rational square_length; // |b - a|^2
     Rational square_area;   // |(c - a) x (b - a)|^2
+
+    std::size_t words() const
+    {
+      return (std::max)({number_of_words(dot), number_of_words(square_length), number_of_words(square_area)});
+    }
   };
 
   explicit Rational_corners(const Surface& surface) : m_surface(surface) {}
@@ -181,20 +188,22 @@ private:
   std::size_t m_expression = 1;
 };
 
-// By intervals of a fixed precision.
+// By intervals of a fixed precision. Beyond 256 bits the steps are taken from the budget; throws Too_many_steps.
 template <class Surface>
 class Multiprecision_arithmetic
 {
 public:
   typedef Multiprecision_interval NT;
 
-  Multiprecision_arithmetic(Rational_corners<Surface>& corners, mpfr_prec_t precision)
-    : m_corners(corners), m_precision(precision)
+  static constexpr mpfr_prec_t free_precision = 256;
+
+  Multiprecision_arithmetic(Rational_corners<Surface>& corners, mpfr_prec_t precision, Work_budget& budget)
+    : m_corners(corners), m_precision(precision), m_budget(budget)
   {}
 
   Planar<NT> corner(typename Surface::Halfedge h) const
   {
-    const auto& c = m_corners(h);
+    const auto& c = counted(h);
     return {NT(c.dot, m_precision), NT::square_root(c.square_area, m_precision)};
   }
 
@@ -202,7 +211,7 @@ public:
   {
     if(m_precision == Rational_corners<Surface>::kept_precision)
       return m_corners.rounded_ratio(h);
-    const auto& c = m_corners(h);
+    const auto& c = counted(h);
     return {NT(c.dot / c.square_length, m_precision),
             NT::square_root(c.square_area / (c.square_length * c.square_length), m_precision)};
   }
@@ -211,8 +220,17 @@ public:
   int certain_sign(const NT& x) const { return x.certain_sign(); }
 
 private:
+  const typename Rational_corners<Surface>::Corner& counted(typename Surface::Halfedge h) const
+  {
+    const auto& c = m_corners(h);
+    if(m_precision > free_precision)
+      m_budget.take(Work_budget::steps_of_corner(static_cast<std::size_t>(m_precision / mp_bits_per_limb), c.words()));
+    return c;
+  }
+
   Rational_corners<Surface>& m_corners;
   mpfr_prec_t m_precision;
+  Work_budget& m_budget;
 };
 
 // Thrown when a number has no image in the finite field.
@@ -221,28 +239,32 @@ struct No_image
 
 // In the finite field. The roots of the basis are independent, so any choice of their images extends to a homomorphism
 // from the numbers whose denominators the prime does not divide. So a number whose image is not zero is not zero.
+// Throws No_image and Too_many_steps.
 template <class Surface>
 class Finite_field_arithmetic
 {
 public:
   typedef Finite_field_number NT;
 
-  Finite_field_arithmetic(Rational_corners<Surface>& corners, const Square_root_basis& basis)
-    : m_corners(corners), m_basis(basis)
+  Finite_field_arithmetic(Rational_corners<Surface>& corners, const Square_root_basis& basis, Work_budget& budget)
+    : m_corners(corners), m_basis(basis), m_budget(budget)
   {
     for(const Integer& b : basis.basis())
+    {
+      m_budget.take(Work_budget::steps_of_corner(1, number_of_words(b)));
       m_roots.push_back(NT::square_root(b));
+    }
   }
 
   Planar<NT> corner(typename Surface::Halfedge h) const
   {
-    const auto& c = m_corners(h);
+    const auto& c = counted(h);
     return {image(c.dot), root(c.square_area)};
   }
 
   Planar<NT> ratio(typename Surface::Halfedge h) const
   {
-    const auto& c = m_corners(h);
+    const auto& c = counted(h);
     const NT inverse = image(1 / c.square_length);
     return {image(c.dot) * inverse, root(c.square_area) * inverse};
   }
@@ -250,6 +272,13 @@ public:
   NT number(int n) const { return image(n); }
 
 private:
+  const typename Rational_corners<Surface>::Corner& counted(typename Surface::Halfedge h) const
+  {
+    const auto& c = m_corners(h);
+    m_budget.take(Work_budget::steps_of_corner(1, c.words()));
+    return c;
+  }
+
   static NT image(const Rational& q)
   {
     const auto result = NT::image(q);
@@ -270,17 +299,18 @@ private:
 
   Rational_corners<Surface>& m_corners;
   const Square_root_basis& m_basis;
+  Work_budget& m_budget;
   std::vector<NT> m_roots;
 };
 
-// By sums of roots. Throws Too_many_terms.
+// By sums of roots. Throws Too_many_steps.
 template <class Surface>
 class Radical_arithmetic
 {
 public:
   typedef Radical_number NT;
 
-  Radical_arithmetic(Rational_corners<Surface>& corners, const Square_root_basis& basis, Length_budget& budget)
+  Radical_arithmetic(Rational_corners<Surface>& corners, const Square_root_basis& basis, Work_budget& budget)
     : m_corners(corners), m_basis(basis), m_field(basis.basis(), budget)
   {}
 

@@ -23,7 +23,7 @@ public:
   // None if p divides the denominator.
   static std::optional<Finite_field_number> image(const Rational& q)
   {
-    const std::uint64_t n = residue(numerator(q)), d = residue(denominator(q));
+    const std::uint64_t n = residue(mpq_numref(q.backend().data())), d = residue(mpq_denref(q.backend().data()));
     if(d == 0)
       return std::nullopt;
     return Finite_field_number(multiply(n, power(d, prime - 2)), 0);
@@ -32,7 +32,7 @@ public:
   // A square root of the image of an integer.
   static Finite_field_number square_root(const Integer& n)
   {
-    const std::uint64_t a = residue(n), root = power(a, (prime + 1) / 4);
+    const std::uint64_t a = residue(n.backend().data()), root = power(a, (prime + 1) / 4);
     if(multiply(root, root) == a)
       return Finite_field_number(root, 0);
     return Finite_field_number(0, power(subtract(0, a), (prime + 1) / 4));
@@ -59,10 +59,10 @@ public:
 private:
   Finite_field_number(std::uint64_t a, std::uint64_t b) : m_a(a), m_b(b) {}
 
-  static std::uint64_t residue(const Integer& n)
+  static std::uint64_t residue(mpz_srcptr n)
   {
-    const Integer r = n % Integer(prime); // has the sign of n
-    return Integer(r < 0 ? r + prime : r).convert_to<std::uint64_t>();
+    static_assert(sizeof(unsigned long) == sizeof(std::uint64_t), "GMP takes a remainder by a long");
+    return mpz_fdiv_ui(n, prime);
   }
 
   static std::uint64_t add(std::uint64_t x, std::uint64_t y) { return x + y < prime ? x + y : x + y - prime; }

@@ -3,6 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_RADICAL_NUMBER_H
 
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Rational.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Work_budget.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -13,22 +14,10 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Thrown when a computation has taken too many steps.
-struct Too_many_terms
-{};
-
-// The steps that several computations together may still take because their coefficients are long.
-struct Length_budget
-{
-  static constexpr std::size_t max_steps = 1 << 20;
-
-  std::size_t steps_left = max_steps;
-};
-
 // The field Q(sqrt b_1, ..., sqrt b_m) of the numbers of one computation, and the steps that it may still take. An
 // operation with coefficients takes more steps the longer they are. Doubles do not bound their length: if some
 // coordinates are near 1 and others subnormal, a square area has a thousand digits, and sums of quotients have many
-// more.
+// more. All steps are also taken from the budget.
 struct Radical_field
 {
   static constexpr std::size_t max_steps = 1 << 18;
@@ -36,23 +25,23 @@ struct Radical_field
   std::size_t steps_left = max_steps;
 
   // `budget` must outlive the field.
-  Radical_field(const std::vector<Integer>& basis, Length_budget& budget) : m_budget(budget)
+  Radical_field(const std::vector<Integer>& basis, Work_budget& budget) : m_budget(budget)
   {
     for(const Integer& b : basis)
-      m_basis.push_back({b, words(b)});
+      m_basis.push_back({b, number_of_words(b)});
   }
 
-  // Throws Too_many_terms if so many products of short coefficients are more than the computation may still take.
+  // Throws Too_many_steps if there are not so many left.
   void take(std::size_t steps)
   {
     if(steps > steps_left)
-      throw Too_many_terms();
+      throw Too_many_steps();
+    m_budget.take(steps);
     steps_left -= steps;
   }
 
-  // The steps that x * y, x + y and x - y take in addition if the coefficients are long: most of the time goes into
-  // common divisors, which take time in proportion to the product of the lengths.
-  void take_lengths(const Rational& x, const Rational& y) { take_lengths(words(x), words(y)); }
+  // The steps that x * y, x + y and x - y take in addition if the coefficients are long.
+  void take_lengths(const Rational& x, const Rational& y) { take_lengths(number_of_words(x), number_of_words(y)); }
 
   // x times the product of the b_i whose bits are set in `mask`.
   void multiply_by_basis(Rational& x, std::uint64_t mask)
@@ -60,14 +49,12 @@ struct Radical_field
     for(std::size_t i = 0; mask != 0; mask >>= 1, ++i)
       if(mask & 1)
       {
-        take_lengths(words(x), m_basis[i].words);
+        take_lengths(number_of_words(x), m_basis[i].words);
         x *= m_basis[i].number;
       }
   }
 
 private:
-  static constexpr std::size_t words_of_step = 256; // lengths of 1024 bits, multiplied
-
   struct Element
   {
     Integer number;
@@ -76,22 +63,11 @@ private:
 
   void take_lengths(std::size_t words_of_x, std::size_t words_of_y)
   {
-    const std::size_t steps = words_of_x * words_of_y / words_of_step;
-    if(steps > m_budget.steps_left)
-      throw Too_many_terms();
-    take(steps);
-    m_budget.steps_left -= steps;
-  }
-
-  static std::size_t words(const Integer& n) { return mpz_size(n.backend().data()); }
-
-  static std::size_t words(const Rational& q)
-  {
-    return mpz_size(mpq_numref(q.backend().data())) + mpz_size(mpq_denref(q.backend().data()));
+    take(Work_budget::steps_of_product(words_of_x, words_of_y));
   }
 
   std::vector<Element> m_basis;
-  Length_budget& m_budget;
+  Work_budget& m_budget;
 };
 
 // An element of Q(sqrt b_1, ..., sqrt b_m) as the sum of rational multiples of products of square roots. As these

@@ -9,6 +9,7 @@
 #include <boost/multiprecision/gmp.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <sstream>
 #include <type_traits>
@@ -20,6 +21,13 @@ namespace internal {
 
 typedef boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off> Rational;
 typedef boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off> Integer;
+
+// The length of a number.
+inline std::size_t number_of_words(const Integer& n) { return mpz_size(n.backend().data()); }
+inline std::size_t number_of_words(const Rational& q)
+{
+  return mpz_size(mpq_numref(q.backend().data())) + mpz_size(mpq_denref(q.backend().data()));
+}
 
 // The rational number that a coordinate is; none if the coordinate is not known to be rational. There is an overload
 // for each kind of number type.

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Corner_arithmetic.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Radical_number.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Square_root_basis.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Work_budget.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -13,7 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -65,7 +66,8 @@ private:
 // Decides the signs of expressions in the corners of a surface's faces. Each expression is an element of Q(sqrt r_1,
 // ..., sqrt r_m), with one root for each face. It is computed by intervals of doubles, then by intervals of growing
 // precision. If these still contain zero, either its image in a finite field proves that it is not zero, and then the
-// precision grows until the sign shows; or it is proved to be zero by writing it in a basis of the field.
+// precision grows until the sign shows; or it is proved to be zero by writing it in a basis of the field. What is not
+// decided within the budget stays unproved.
 template <class Surface>
 class Sign_prover
 {
@@ -75,9 +77,9 @@ public:
   const Surface& surface() const { return m_surface; }
   const Sign_statistics& statistics() const { return m_statistics; }
 
-  // Begins a new curve. All signs of a curve have one budget for coefficients that are long: its correction may ask for
-  // hundreds of signs, and if each had a budget of its own a curve among subnormal coordinates would take minutes.
-  void begin_curve() { m_length_budget = Length_budget(); }
+  // Begins a new curve. All signs of a curve have one budget: its correction may ask for thousands of signs, and if each
+  // had a budget of its own a curve among subnormal coordinates, or one that runs many times around, would take minutes.
+  void begin_curve() { m_budget = Work_budget(); }
 
   // The signs of n values. `expression(arithmetic, values)` sets the values that are wanted. It is called with
   // different arithmetics, and must use only what each of them provides.
@@ -111,7 +113,7 @@ public:
     if(!contains(wanted))
       return result;
     m_corners.begin_expression();
-    for(mpfr_prec_t precision = 128; precision <= 256 && contains(wanted); precision *= 2)
+    for(mpfr_prec_t precision = 128; precision <= free_precision && contains(wanted); precision *= 2)
       m_statistics.multiprecision += decide_at(precision, expression, wanted, result);
     if(contains(wanted))
       decide_close_to_zero(expression, wanted, result);
@@ -134,7 +136,7 @@ public:
   Multiprecision_arithmetic<Surface> multiprecision_arithmetic()
   {
     m_corners.begin_expression();
-    return Multiprecision_arithmetic<Surface>(m_corners, Rational_corners<Surface>::kept_precision);
+    return Multiprecision_arithmetic<Surface>(m_corners, Rational_corners<Surface>::kept_precision, m_budget);
   }
 
   // Counts a sign that a caller has found with intervals of its own.
@@ -154,17 +156,23 @@ public:
       }
     }
     m_corners.begin_expression();
-    for(mpfr_prec_t precision = 128; precision <= max_precision_of_unproved; precision *= 2)
-      if(attempt(Multiprecision_arithmetic<Surface>(m_corners, precision)))
-      {
-        ++m_statistics.multiprecision;
-        return true;
-      }
+    try
+    {
+      for(mpfr_prec_t precision = 128; precision <= max_precision_of_unproved; precision *= 2)
+        if(attempt(Multiprecision_arithmetic<Surface>(m_corners, precision, m_budget)))
+        {
+          ++m_statistics.multiprecision;
+          return true;
+        }
+    }
+    catch(const Too_many_steps&)
+    {}
     ++m_statistics.unproved;
     return false;
   }
 
 private:
+  static constexpr mpfr_prec_t free_precision = Multiprecision_arithmetic<Surface>::free_precision;
   static constexpr mpfr_prec_t max_precision_of_unproved = 4096; // bits
 
   // Returns the number of values whose signs it found; they are not wanted any more.
@@ -191,7 +199,7 @@ private:
   std::size_t decide_at(mpfr_prec_t precision, const Expression& expression, std::vector<bool>& wanted,
                         std::vector<Proved_sign>& result)
   {
-    const Multiprecision_arithmetic<Surface> arithmetic(m_corners, precision);
+    const Multiprecision_arithmetic<Surface> arithmetic(m_corners, precision, m_budget);
     return decide(expression, arithmetic, wanted, result);
   }
 
@@ -202,77 +210,89 @@ private:
 
   // For values that 256 bits do not tell from zero.
   template <class Expression>
-  void decide_close_to_zero(const Expression& expression, const std::vector<bool>& wanted,
-                            std::vector<Proved_sign>& result)
-  {
-    const Square_root_basis basis(m_corners.radicands());
-    std::vector<bool> nonzero(wanted.size(), false), unproved = wanted;
-    if(basis.is_valid())
-    {
-      m_statistics.finite_field +=
-          find_nonzero<Finite_field_arithmetic<Surface>>(basis, expression, unproved, nonzero, result, false);
-      m_statistics.algebra +=
-          find_nonzero<Radical_arithmetic<Surface>>(basis, expression, unproved, nonzero, result, true);
-    }
-    for(mpfr_prec_t precision = 512; contains(nonzero); precision *= 2)
-      decide_at(precision, expression, nonzero, result);
-    for(mpfr_prec_t precision = 512; contains(unproved) && precision <= max_precision_of_unproved; precision *= 2)
-      m_statistics.multiprecision += decide_at(precision, expression, unproved, result);
-    m_statistics.unproved += static_cast<std::size_t>(std::count(unproved.begin(), unproved.end(), true));
-  }
-
-  // Moves values that are not zero from `unproved` to `nonzero`. If the arithmetic can prove that a value is zero, the
-  // values that are zero get their sign. Returns the number of values that left `unproved`.
-  template <class Arithmetic, class Expression>
-  std::size_t find_nonzero(const Square_root_basis& basis, const Expression& expression, std::vector<bool>& unproved,
-                           std::vector<bool>& nonzero, std::vector<Proved_sign>& result, bool proves_zero)
-  {
-    std::size_t count = 0;
-    // All at once, as what they have in common need not be computed again; if that fails, one by one.
-    if(evaluate<Arithmetic>(basis, expression, std::vector<bool>(unproved), unproved, nonzero, result, proves_zero,
-                            count))
-      return count;
-    for(std::size_t i = 0; i < unproved.size(); ++i)
-      if(unproved[i])
-      {
-        std::vector<bool> only(unproved.size(), false);
-        only[i] = true;
-        evaluate<Arithmetic>(basis, expression, only, unproved, nonzero, result, proves_zero, count);
-      }
-    return count;
-  }
-
-  template <class Arithmetic>
-  Arithmetic make_arithmetic(const Square_root_basis& basis)
-  {
-    if constexpr(std::is_constructible<Arithmetic, Rational_corners<Surface>&, const Square_root_basis&,
-                                       Length_budget&>::value)
-      return Arithmetic(m_corners, basis, m_length_budget);
-    else
-      return Arithmetic(m_corners, basis);
-  }
-
-  // False if the arithmetic gave up.
-  template <class Arithmetic, class Expression>
-  bool evaluate(const Square_root_basis& basis, const Expression& expression, const std::vector<bool>& wanted,
-                std::vector<bool>& unproved, std::vector<bool>& nonzero, std::vector<Proved_sign>& result,
-                bool proves_zero, std::size_t& count)
+  void decide_close_to_zero(const Expression& expression, std::vector<bool>& wanted, std::vector<Proved_sign>& result)
   {
     try
     {
-      const Arithmetic arithmetic = make_arithmetic<Arithmetic>(basis);
-      Wanted_values<typename Arithmetic::NT> values(wanted);
-      expression(arithmetic, values);
-      for(std::size_t i = 0; i < wanted.size(); ++i)
+      const Square_root_basis basis(m_corners.radicands(), m_budget);
+      if(basis.is_valid())
       {
-        if(!wanted[i] || (values[i].is_zero() && !proves_zero))
+        m_statistics.finite_field +=
+            decide_in_field<Finite_field_arithmetic<Surface>>(basis, expression, wanted, result, false);
+        m_statistics.algebra += decide_in_field<Radical_arithmetic<Surface>>(basis, expression, wanted, result, true);
+      }
+    }
+    catch(const Too_many_steps&)
+    {}
+    m_statistics.multiprecision += decide_beyond(max_precision_of_unproved, expression, wanted, result);
+    m_statistics.unproved += static_cast<std::size_t>(std::count(wanted.begin(), wanted.end(), true));
+  }
+
+  // By intervals of up to a precision, as long as the budget suffices. Returns the number of values decided.
+  template <class Expression>
+  std::size_t decide_beyond(mpfr_prec_t max_precision, const Expression& expression, std::vector<bool>& wanted,
+                            std::vector<Proved_sign>& result)
+  {
+    std::size_t count = 0;
+    try
+    {
+      for(mpfr_prec_t precision = 2 * free_precision; contains(wanted) && precision <= max_precision; precision *= 2)
+        count += decide_at(precision, expression, wanted, result);
+    }
+    catch(const Too_many_steps&)
+    {}
+    return count;
+  }
+
+  // Decides the values that the arithmetic tells from zero, or, if it can, those that it proves to be zero. Returns
+  // their number.
+  template <class Arithmetic, class Expression>
+  std::size_t decide_in_field(const Square_root_basis& basis, const Expression& expression, std::vector<bool>& wanted,
+                              std::vector<Proved_sign>& result, bool proves_zero)
+  {
+    std::vector<bool> nonzero(wanted.size(), false);
+    std::size_t zeros = 0;
+    // All at once, as what they have in common need not be computed again; if that fails, one by one.
+    if(!evaluate<Arithmetic>(basis, expression, std::vector<bool>(wanted), wanted, nonzero, result, proves_zero, zeros))
+      for(std::size_t i = 0; i < wanted.size(); ++i)
+        if(wanted[i])
+        {
+          std::vector<bool> only(wanted.size(), false);
+          only[i] = true;
+          evaluate<Arithmetic>(basis, expression, only, wanted, nonzero, result, proves_zero, zeros);
+        }
+    const std::size_t decided =
+        decide_beyond((std::numeric_limits<mpfr_prec_t>::max)() / 2, expression, nonzero, result);
+    for(std::size_t i = 0; i < wanted.size(); ++i)
+      if(nonzero[i])
+        wanted[i] = true; // the budget did not suffice
+    return zeros + decided;
+  }
+
+  // Moves values that are not zero from `wanted` to `nonzero`. If the arithmetic can prove that a value is zero, such
+  // values get their sign and are counted. False if the arithmetic gave up.
+  template <class Arithmetic, class Expression>
+  bool evaluate(const Square_root_basis& basis, const Expression& expression, const std::vector<bool>& evaluated,
+                std::vector<bool>& wanted, std::vector<bool>& nonzero, std::vector<Proved_sign>& result,
+                bool proves_zero, std::size_t& zeros)
+  {
+    try
+    {
+      const Arithmetic arithmetic(m_corners, basis, m_budget);
+      Wanted_values<typename Arithmetic::NT> values(evaluated);
+      expression(arithmetic, values);
+      for(std::size_t i = 0; i < evaluated.size(); ++i)
+      {
+        if(!evaluated[i] || (values[i].is_zero() && !proves_zero))
           continue;
         if(values[i].is_zero())
+        {
           result[i] = Proved_sign::ZERO;
+          ++zeros;
+        }
         else
           nonzero[i] = true;
-        unproved[i] = false;
-        ++count;
+        wanted[i] = false;
       }
       return true;
     }
@@ -280,7 +300,7 @@ private:
     {
       return false;
     }
-    catch(const Too_many_terms&)
+    catch(const Too_many_steps&)
     {
       return false;
     }
@@ -289,7 +309,7 @@ private:
   const Surface& m_surface;
   Rational_corners<Surface> m_corners;
   Sign_statistics m_statistics;
-  Length_budget m_length_budget; // of the curve under way
+  Work_budget m_budget; // of the curve under way
 };
 
 } // namespace internal

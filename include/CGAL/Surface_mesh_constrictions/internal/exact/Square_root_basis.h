@@ -3,6 +3,7 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_EXACT_SQUARE_ROOT_BASIS_H
 
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Rational.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/Work_budget.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,10 +31,11 @@ public:
     std::uint64_t mask;
   };
 
-  // Takes numbers that are not negative. O(n (m + number of primes)) steps, and a square root for each number.
-  explicit Square_root_basis(const std::vector<Rational>& radicands)
+  // Takes numbers that are not negative. O(n (m + number of primes)) operations, and a square root for each number.
+  // Throws Too_many_steps if the budget does not suffice.
+  Square_root_basis(const std::vector<Rational>& radicands, Work_budget& budget)
   {
-    for(std::size_t primes = 128; !build(radicands, primes); primes *= 2)
+    for(std::size_t primes = 128; !build(radicands, primes, budget); primes *= 2)
     {
       m_basis.clear();
       m_roots.clear();
@@ -60,12 +62,17 @@ private:
   };
 
   // False if the primes could not tell two square classes apart.
-  bool build(const std::vector<Rational>& radicands, std::size_t number_of_primes)
+  bool build(const std::vector<Rational>& radicands, std::size_t number_of_primes, Work_budget& budget)
   {
     std::vector<Integer> numbers;
     for(const Rational& r : radicands)
+    {
+      // of a remainder by each prime, and of the square roots
+      const std::size_t words = number_of_words(r), words_of_call = 16;
+      budget.take(number_of_primes * (words_of_call + words) / 64 + Work_budget::steps_of_product(words, words));
       numbers.push_back(numerator(r) * denominator(r));
-    const std::vector<Integer> primes = make_primes(numbers, number_of_primes);
+    }
+    const std::vector<unsigned long> primes = make_primes(numbers, number_of_primes);
 
     std::vector<Row> rows;
     for(std::size_t i = 0; i < radicands.size(); ++i)
@@ -108,9 +115,11 @@ private:
       for(std::size_t j = 0; j < row.members.size(); ++j)
         if(row.members[j])
         {
+          budget.take(Work_budget::steps_of_product(number_of_words(product), number_of_words(m_basis[j])));
           product *= m_basis[j];
           mask |= std::uint64_t(1) << j;
         }
+      budget.take(Work_budget::steps_of_product(number_of_words(product), number_of_words(product)));
       const Integer square = n * product;
       if(mpz_perfect_square_p(square.backend().data()) == 0)
         return false;
@@ -120,16 +129,16 @@ private:
   }
 
   // Primes that divide none of the numbers.
-  static std::vector<Integer> make_primes(const std::vector<Integer>& numbers, std::size_t count)
+  static std::vector<unsigned long> make_primes(const std::vector<Integer>& numbers, std::size_t count)
   {
-    static const std::vector<Integer> first = primes_after(Integer(1) << 40, 128);
-    std::vector<Integer> primes, candidates = first;
+    static const std::vector<unsigned long> first = primes_after(1ul << 40, 128);
+    std::vector<unsigned long> primes, candidates = first;
     for(;;)
     {
-      for(const Integer& p : candidates)
+      for(const unsigned long p : candidates)
       {
-        const auto is_divisible = [&p](const Integer& n) {
-          return n != 0 && mpz_divisible_p(n.backend().data(), p.backend().data()) != 0;
+        const auto is_divisible = [p](const Integer& n) {
+          return n != 0 && mpz_divisible_ui_p(n.backend().data(), p) != 0;
         };
         if(std::none_of(numbers.begin(), numbers.end(), is_divisible))
           primes.push_back(p);
@@ -140,19 +149,23 @@ private:
     }
   }
 
-  static std::vector<Integer> primes_after(Integer p, std::size_t count)
+  static std::vector<unsigned long> primes_after(unsigned long p, std::size_t count)
   {
-    std::vector<Integer> result;
-    for(; result.size() < count; result.push_back(p))
-      mpz_nextprime(p.backend().data(), p.backend().data());
+    std::vector<unsigned long> result;
+    Integer prime = p;
+    while(result.size() < count)
+    {
+      mpz_nextprime(prime.backend().data(), prime.backend().data());
+      result.push_back(mpz_get_ui(prime.backend().data()));
+    }
     return result;
   }
 
-  static Characters characters(const Integer& n, const std::vector<Integer>& primes)
+  static Characters characters(const Integer& n, const std::vector<unsigned long>& primes)
   {
     Characters result;
-    for(const Integer& p : primes)
-      result.push_back(mpz_kronecker(n.backend().data(), p.backend().data()) < 0);
+    for(const unsigned long p : primes)
+      result.push_back(mpz_kronecker_ui(n.backend().data(), p) < 0);
     return result;
   }
 

@@ -283,8 +283,11 @@ private:
 
   bool is_lower(Index curve) const { return is_lower(m_tightener.length(curve), curve); }
 
+  // A point is shorter than any curve, also than one whose length is rounded to zero.
   bool is_lower(double length, Index longest) const
   {
+    if(longest == null_index)
+      return true;
     const double tolerance = equal_length_tolerance * m_goal_length;
     return length < m_goal_length - tolerance || (length <= m_goal_length + tolerance && m_with_ties &&
                                                   longest != m_goal && m_tightener.precedes(longest, m_goal));
@@ -372,6 +375,7 @@ private:
 
   void climb(std::size_t s)
   {
+    const double infinity = (std::numeric_limits<double>::infinity)();
     Side& side = m_sides[s];
     const double length = advance(s);
     const std::size_t level = m_sweep.level(s);
@@ -385,7 +389,11 @@ private:
     if(is_below)
       side.next_level_below = level + 1 + level / 8;
     while(side.next_height <= side.highest())
-      side.next_height = m_length + rise * (side.next_height - m_length);
+    {
+      const double higher = m_length + rise * (side.next_height - m_length);
+      // not higher, if the length is rounded to zero, or to few bits
+      side.next_height = higher > side.next_height ? higher : std::nextafter(side.highest(), infinity);
+    }
   }
 
   double advance(std::size_t s)

@@ -22,7 +22,8 @@ namespace internal {
 class Level_scale
 {
 public:
-  explicit Level_scale(double unit) : m_unit(unit), m_first(&first_factors()) {}
+  // A unit that is rounded to zero, or to few bits, is rounded up: distances are divided by it.
+  explicit Level_scale(double unit) : m_unit((std::max)(unit, least_unit)), m_first(&first_factors()) {}
 
   double level(std::size_t k) const { return m_unit * (k < m_first->size() ? (*m_first)[k] : factor(k)); }
 
@@ -40,6 +41,7 @@ public:
 
 private:
   static constexpr double per_unit = 256;
+  static constexpr double least_unit = 1e-200; // in the unit of the search, so that quotients do not overflow
 
   static double factor(std::size_t k)
   {

@@ -40,7 +40,10 @@ struct Prominence
 };
 
 // The height of a barrier relative to the length of its curve, less one; never less than 0, whatever rounding does.
-inline double prominence_of_barrier(double barrier, double length) { return (std::max)(barrier / length - 1, 0.0); }
+inline double prominence_of_barrier(double barrier, double length)
+{
+  return barrier > length ? barrier / length - 1 : 0; // also where the length is rounded to zero
+}
 
 // The prominence that follows from the barrier around the curve from which the last search started.
 inline Prominence prominence_from(Barrier_search& search, const Barrier& b, double length)

@@ -2,9 +2,13 @@
 #ifndef CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_TRIANGULATE_POLYGON_H
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_SURFACE_TRIANGULATE_POLYGON_H
 
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Projection_traits_3.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <array>
@@ -31,28 +35,70 @@ inline Polygon_vector polygon_normal(const std::vector<Polygon_point>& points)
   return sum;
 }
 
-// CGAL's triangulation of one face, or nothing if it fails, as for a polygon that crosses or touches itself in its
-// projection.
-inline std::vector<Polygon_triangle> cgal_triangulation(const std::vector<Polygon_point>& points)
+// The constrained Delaunay triangulation of a polygon in its projection along the normal. Nothing if the polygon crosses
+// or touches itself there, or if its normal is zero or too large for a double.
+//
+// CGAL's `triangulate_face()` does the same in release 5.5, but tells whether a polygon crosses itself by the number of
+// vertices of its triangulation. This number is right by chance where as many corners fall on others as edges cross;
+// then it reads outside of its mesh.
+inline std::vector<Polygon_triangle> delaunay_triangulation(const std::vector<Polygon_point>& points)
 {
-  typedef CGAL::Surface_mesh<Polygon_point> Mesh;
-  const std::size_t n = points.size();
+  typedef Projection_traits_3<Exact_predicates_inexact_constructions_kernel> Traits;
+  typedef Triangulation_data_structure_2<
+      Triangulation_vertex_base_with_info_2<std::size_t, Traits>,
+      Constrained_triangulation_face_base_2<Traits, Triangulation_face_base_with_info_2<bool, Traits>>>
+      Data_structure;
+  typedef Constrained_Delaunay_triangulation_2<Traits, Data_structure, No_constraint_intersection_tag> Triangulation;
+
   std::vector<Polygon_triangle> result;
-  if(polygon_normal(points) == Polygon_vector(0, 0, 0))
+  const Polygon_vector normal = polygon_normal(points);
+  if(normal == Polygon_vector(0, 0, 0) || !std::isfinite(normal.x()) || !std::isfinite(normal.y()) ||
+     !std::isfinite(normal.z()))
     return result;
-  Mesh mesh;
-  std::vector<typename Mesh::Vertex_index> vertices;
-  for(const Polygon_point& p : points)
-    vertices.push_back(mesh.add_vertex(p));
-  const Mesh::Face_index face = mesh.add_face(vertices);
-  if(!Polygon_mesh_processing::triangulate_face(face, mesh) || mesh.number_of_faces() != n - 2)
-    return result;
-  for(Mesh::Face_index f : mesh.faces())
+  const std::size_t n = points.size();
+  Triangulation triangulation{Traits(normal)};
+  std::vector<typename Triangulation::Vertex_handle> corners;
+  try
   {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    result.push_back({{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))}});
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      corners.push_back(triangulation.insert(points[i]));
+      if(triangulation.number_of_vertices() != i + 1)
+        return result;
+      corners[i]->info() = i;
+      if(i > 0)
+        triangulation.insert_constraint(corners[i - 1], corners[i]);
+    }
+    triangulation.insert_constraint(corners[n - 1], corners[0]);
   }
-  return result;
+  catch(const typename Triangulation::Intersection_of_constraints_exception&)
+  {
+    return result;
+  }
+  if(triangulation.dimension() != 2)
+    return result;
+
+  for(auto f : triangulation.all_face_handles())
+    f->info() = false; // whether it is known to be outside
+  std::vector<typename Triangulation::Face_handle> outside = {triangulation.infinite_face()};
+  outside.back()->info() = true;
+  while(!outside.empty())
+  {
+    const auto f = outside.back();
+    outside.pop_back();
+    for(int i = 0; i < 3; ++i)
+    {
+      const auto neighbour = f->neighbor(i);
+      if(neighbour->info() || f->is_constrained(i))
+        continue;
+      neighbour->info() = true;
+      outside.push_back(neighbour);
+    }
+  }
+  for(auto f : triangulation.finite_face_handles())
+    if(!f->info())
+      result.push_back({{f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()}});
+  return result.size() == n - 2 ? result : std::vector<Polygon_triangle>();
 }
 
 // Cuts off ears: corners whose diagonal is allowed, lies inside in the projection along the normal, and has no other
@@ -109,8 +155,8 @@ std::vector<Polygon_triangle> cut_off_ears(const std::vector<Polygon_point>& poi
 // Cuts a polygon, plane or not, convex or not, into n - 2 triangles without new points. `is_allowed(i, j)` tells
 // whether points i and j may be joined by a diagonal: two edges between the same two vertices are no mesh. A diagonal
 // that is not allowed is used only if no way is found without. Quadrangles are cut by the rule of CGAL's
-// `triangulate_face()`, and other polygons by that function; where it fails, or needs a diagonal that is not allowed,
-// ears are cut off.
+// `triangulate_face()`, and other polygons by a constrained Delaunay triangulation; where there is none, or it needs a
+// diagonal that is not allowed, ears are cut off.
 template <class IsAllowed>
 std::vector<Polygon_triangle> triangulate_polygon(const std::vector<Polygon_point>& points, IsAllowed is_allowed)
 {
@@ -142,7 +188,7 @@ std::vector<Polygon_triangle> triangulate_polygon(const std::vector<Polygon_poin
       }
     return result;
   };
-  std::vector<Polygon_triangle> result = cgal_triangulation(points);
+  std::vector<Polygon_triangle> result = delaunay_triangulation(points);
   const std::size_t refused = number_of_refused(result);
   if(!result.empty() && refused == 0)
     return result;
