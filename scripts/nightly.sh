@@ -91,7 +91,8 @@ run() { # STEP
           --least 142
       ;;
     others)
-      scripts/setup.sh npm && cmake --preset release "${whole[@]}" &&
+      scripts/setup.sh && { command -v npm > /dev/null || scripts/setup.sh nodejs npm; } &&
+        cmake --preset release "${whole[@]}" &&
         cmake --build --preset release --target constrictions &&
         scripts/check_meshes_of_others.py build/release/tools/constrictions/constrictions build/nightly/meshes_of_others
       ;;
