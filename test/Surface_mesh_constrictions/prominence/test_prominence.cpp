@@ -222,6 +222,20 @@ TEST(Prominence, LevelSetsOfATriangleAreMeasuredExactly)
   }
 }
 
+// Also beyond the levels that are tabulated, and next to a level, where rounding may lead to its neighbour.
+TEST(Prominence, TheFirstLevelAboveADistanceIsTheNextOne)
+{
+  for(double unit : {1., 0.7, 3.})
+  {
+    const SMC::internal::Level_scale scale(unit);
+    for(std::size_t k = 1; k < 3000; ++k)
+    {
+      EXPECT_EQ(scale.first_above(scale.level(k)), k + 1);
+      EXPECT_EQ(scale.first_above(std::nextafter(scale.level(k), 0)), k);
+    }
+  }
+}
+
 // With the other function 2 - f the domain ends at the level set of 1, which is left for good.
 TEST(Prominence, WhereTwoSidesMeetTheEndOfTheDomainStays)
 {
