@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The programs that are measured: their packages, the formats that they are tried with, how they are run."""
+import os
 import pathlib
 import shutil
 import subprocess
@@ -137,6 +138,11 @@ class Command_line(Program):
 
 class Command_line_with_display(Command_line):
     """The same of a program that wants a screen. Needs root."""
+
+    def install(self, folder):
+        if os.geteuid() != 0:
+            raise RuntimeError("only root can run it")
+        super().install(folder)
 
     def commands(self, source, held, target):
         folder = pathlib.Path(source).parent
