@@ -42,9 +42,10 @@ void triangulate_with_face_map_checked(const PolygonMesh& pm, TriangleMesh& tm, 
 /// copies a polygon mesh, cuts its faces into triangles, as `detect_constrictions()` needs them, and records for each
 /// triangle the polygon that it is a piece of.
 ///
-/// Polygons may be non-convex and need not be plane. They are cut as by
-/// `CGAL::Polygon_mesh_processing::triangulate_faces()`, but, wherever possible, so that no diagonal joins two vertices
-/// that an edge joins already, because this package refuses two edges with the same ends. No vertex is added or moved.
+/// Polygons may be non-convex and need not be plane. Quadrangles are cut as by
+/// `CGAL::Polygon_mesh_processing::triangulate_faces()`, others by a constrained Delaunay triangulation in their
+/// projection, but, wherever possible, so that no diagonal joins two vertices that an edge joins already, because this
+/// package refuses two edges with the same ends. No vertex is added or moved.
 /// A triangle of `pm` remains one.
 ///
 /// \tparam PolygonMesh a model of `FaceListGraph` and `HalfedgeListGraph`

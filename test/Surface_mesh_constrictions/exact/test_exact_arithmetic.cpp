@@ -184,10 +184,10 @@ TEST_F(RootsOfSix, TooManyStepsAreGivenUp)
 TEST_F(RootsOfSix, LongCoefficientsTakeMoreSteps)
 {
   const auto steps = [this](const Radical_number& x, const Radical_number& y, const auto& operation) {
-    const std::size_t before = budget.steps_left, left = field.steps_left;
+    const std::size_t before = budget.algebra_steps_left, left = field.steps_left;
     operation(x, y);
-    EXPECT_EQ(left - field.steps_left, before - budget.steps_left);
-    return before - budget.steps_left;
+    EXPECT_EQ(left - field.steps_left, before - budget.algebra_steps_left);
+    return before - budget.algebra_steps_left;
   };
   const auto times = [](const Radical_number& x, const Radical_number& y) { return x * y; };
   const auto plus = [](const Radical_number& x, const Radical_number& y) { return x + y; };
@@ -203,15 +203,15 @@ TEST_F(RootsOfSix, LongCoefficientsTakeMoreSteps)
   EXPECT_GT(steps(long_root, long_root, times), long_product) << "the root squared is a factor";
   EXPECT_EQ(steps(radical(2), radical(3), times), short_product);
 
-  field.steps_left = long_product;
+  field.steps_left = long_product - 1;
   EXPECT_THROW(long_one * long_one, Too_many_steps);
   field.steps_left = Radical_field::max_steps;
-  budget.steps_left = long_product - 1;
+  budget.algebra_steps_left = long_product - 1;
   EXPECT_THROW(long_one * long_one, Too_many_steps);
   EXPECT_FALSE((radical(2) * radical(3)).is_zero()) << "short coefficients need little";
-  budget.steps_left = long_product - 2;
+  budget.algebra_steps_left = long_product - 2;
   EXPECT_THROW(long_one + long_one, Too_many_steps);
-  budget.steps_left = long_product;
+  budget.algebra_steps_left = long_product;
   EXPECT_FALSE((long_one * long_one).is_zero());
 }
 
@@ -343,7 +343,7 @@ TEST(SignProver, AllSignsOfACurveHaveOneBudget)
   const auto small = [&](const auto& arithmetic, auto& values) {
     const auto sum = arithmetic.corner(h) * arithmetic.corner(mesh.next(h)) * arithmetic.corner(mesh.prev(h));
     auto power = arithmetic.number(1);
-    for(int i = 0; i < 300; ++i)
+    for(int i = 0; i < 700; ++i)
       power = power * arithmetic.ratio(h).x();
     values[0] = sum.y() + power;
   };
@@ -356,7 +356,7 @@ TEST(SignProver, AllSignsOfACurveHaveOneBudget)
   };
   const std::size_t n = number_decided();
   EXPECT_GT(n, 10u);
-  EXPECT_LT(n, 1000u);
+  EXPECT_LT(n, 10000u);
   EXPECT_EQ(prover.statistics().finite_field, n);
   EXPECT_EQ(prover.statistics().unproved, 1u);
   EXPECT_EQ(prover.sign(small), Proved_sign::UNPROVED);

@@ -36,7 +36,7 @@ struct Radical_field
   {
     if(steps > steps_left)
       throw Too_many_steps();
-    m_budget.take(steps);
+    m_budget.take_algebra(steps);
     steps_left -= steps;
   }
 

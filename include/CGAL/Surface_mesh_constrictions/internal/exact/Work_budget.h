@@ -14,23 +14,20 @@ namespace internal {
 struct Too_many_steps
 {};
 
-// The steps that the signs of one curve may still take beyond 256 bits, in all arithmetics together. They are counted
-// from the lengths of the numbers, so that a curve has the same certificate on each machine and in each run. A step is
-// a product of two numbers of 1024 bits, or whatever takes about as long.
+// The steps that the signs of one curve may still take beyond 256 bits. They are counted from the lengths of the
+// numbers, so that a curve has the same certificate on each machine and in each run. A step of the algebra is a product
+// of two numbers of 1024 bits; those of the basis, the finite field and of more digits take less. The algebra has a
+// share of its own: where it gives up, the other arithmetics still tell what is not zero.
 class Work_budget
 {
 public:
-  static constexpr std::size_t max_steps = 1 << 21;
+  static constexpr std::size_t max_steps = 1 << 22, max_algebra_steps = 1 << 21;
 
-  std::size_t steps_left = max_steps;
+  std::size_t steps_left = max_steps, algebra_steps_left = max_algebra_steps;
 
   // Throws Too_many_steps, and takes none, if there are not so many left.
-  void take(std::size_t steps)
-  {
-    if(steps > steps_left)
-      throw Too_many_steps();
-    steps_left -= steps;
-  }
+  void take(std::size_t steps) { take(steps, steps_left); }
+  void take_algebra(std::size_t steps) { take(steps, algebra_steps_left); }
 
   // The steps of a product, a sum or a comparison of numbers of so many words: most of the time goes into common
   // divisors, which take time in proportion to the product of the lengths.
@@ -48,6 +45,13 @@ public:
   }
 
 private:
+  static void take(std::size_t steps, std::size_t& left)
+  {
+    if(steps > left)
+      throw Too_many_steps();
+    left -= steps;
+  }
+
   static constexpr std::size_t words_of_step = 256; // lengths of 1024 bits, multiplied
 };
 
