@@ -414,4 +414,20 @@ TEST(StructuredBodies, OneMeridianOfARotatedWasherStandsForAll)
   }
 }
 
+// So do those of a counterbore, whose correction makes of one what stood for another.
+TEST(StructuredBodies, OneMeridianOfACounterboreStandsForAll)
+{
+  for(const int n : {8, 12, 16})
+  {
+    const auto curves = detection::detect(
+        test_meshes::make_mesh(lathe(n, {{{4, 0}}, {{4, 3}}, {{8, 3}}, {{8, 4}}, {{13, 4}}, {{13, 0}}})));
+    ASSERT_FALSE(curves.empty());
+    EXPECT_NEAR(curves[0].length(), 8 * n * std::sin(CGAL_PI / n), 1e-9) << n;
+    EXPECT_EQ(std::count_if(curves.begin(), curves.end(),
+                            [](const auto& c) { return 23 < c.length() && c.length() < 26 && c.roundness() < 0.7; }),
+              1)
+        << n;
+  }
+}
+
 } // namespace test_structured_bodies

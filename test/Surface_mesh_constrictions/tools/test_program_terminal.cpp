@@ -53,8 +53,8 @@ TEST_F(Terminal, a_mistake_is_told_in_one_line_with_a_guess)
        "detect has no option \"--loops\"; it is one of tighten; see constrictions detect --help"},
       {"certify dumbbell.off --curves c.json --near 1,2,3",
        "certify has no option \"--near\"; it is one of detect; see constrictions certify --help"},
-      {"check dumbbell.off --threads 2",
-       "check has no option \"--threads\"; it is one of detect, segment and view; see constrictions check --help"},
+      {"check dumbbell.off --threads 2", "check has no option \"--threads\"; it is one of detect, prepare, segment and "
+                                         "view; see constrictions check --help"},
       {"detect dumbbell.off --threads 0", "--threads: give a whole number from 1 on; see constrictions detect --help"},
       {"detect dumbbell.off --threads two",
        "--threads: give a whole number from 1 on; see constrictions detect --help"},

@@ -186,6 +186,31 @@ private:
     }
   }
 
+  // The curve that a curve slides to may have been corrected to the curve itself, number `i` of those found: they were
+  // twins for floating point alone. Then the way goes on from there as it was measured before the correction.
+  void go_on_from_itself(Index curve, std::size_t i, const std::unordered_map<std::size_t, std::size_t>& place)
+  {
+    std::optional<Entry>* first = nullptr;
+    for(std::size_t r : m_network.curve(curve).seeds)
+    {
+      if(r >= m_entries.size() || !m_entries[r])
+        continue;
+      if(first == nullptr)
+      {
+        first = &m_entries[r];
+        if((*first)->slides_to == none || destination(**first, place) != i)
+          return;
+      }
+      else if(const std::size_t to = destination(*m_entries[r], place); to != i && to != none)
+      {
+        const double prominence = (std::max)((*first)->prominence, m_entries[r]->prominence);
+        *first = m_entries[r];
+        (*first)->prominence = prominence;
+        return;
+      }
+    }
+  }
+
   // The curve that a curve slides to may have been corrected to the curve itself, or to one of the same length that
   // does not stand for it. Two curves of the same length slide to each other over the same barrier; so of all curves
   // that are connected in this way the first one takes the others. If its only end is one of them, or if it has none,
@@ -200,17 +225,25 @@ private:
     for(std::size_t i = 0; i < found.size(); ++i)
     {
       order[rank[i]] = i;
+      go_on_from_itself(found[i].curve, i, place);
       const Entry* const e = entry(found[i].curve);
-      if(e == nullptr || e->slides_to == none)
+      if(e == nullptr)
         continue;
-      const auto at = place.find(last_on_way(*e, place).slides_to);
-      const std::size_t to = at == place.end() ? none : at->second;
-      is_wrong[i] = to == none ? e->is_tie : rank[to] >= rank[i];
-      if(e->is_tie && to != none && to != i &&
-         std::abs(found[i].length - found[to].length) <= equal_length_tolerance * found[i].length)
+      if(e->slides_to != none)
       {
-        ties[i].emplace_back(to, e->prominence);
-        ties[to].emplace_back(i, e->prominence);
+        const std::size_t to = destination(*e, place);
+        is_wrong[i] = to == none ? e->is_tie : rank[to] >= rank[i];
+      }
+      for(std::size_t r : m_network.curve(found[i].curve).seeds)
+      {
+        if(r >= m_entries.size() || !m_entries[r] || !m_entries[r]->is_tie)
+          continue;
+        const std::size_t to = destination(*m_entries[r], place);
+        if(to == none || to == i ||
+           std::abs(found[i].length - found[to].length) > equal_length_tolerance * found[i].length)
+          continue;
+        ties[i].emplace_back(to, m_entries[r]->prominence);
+        ties[to].emplace_back(i, m_entries[r]->prominence);
       }
     }
     std::vector<bool> is_taken(found.size(), false);
@@ -318,6 +351,13 @@ private:
       e = next;
     }
     return *e;
+  }
+
+  // The place of the curve found at the end of the way from an entry; `none` if there is none.
+  std::size_t destination(const Entry& from, const std::unordered_map<std::size_t, std::size_t>& found) const
+  {
+    const auto at = found.find(last_on_way(from, found).slides_to);
+    return at == found.end() ? none : at->second;
   }
 
   const Entry* entry(Index curve) const

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -131,47 +132,54 @@ private:
     }
   }
 
-  // Whether the curve is bent at a crossing between two others: at a pivot that it passes between them. The crossings
-  // beside one pivot are a fan, in which it does not move.
-  bool is_bent(std::size_t i, std::size_t begin, std::size_t end) const
+  // Whether a sequence of points in the plane, of which some follow themselves, is bent at one of them.
+  static bool is_bent(const std::vector<Vector2>& points, std::size_t k)
   {
-    const Index v = m_crossings[i].pivot;
-    return v != null_index && v != m_crossings[begin].pivot && v != m_crossings[end].pivot &&
-           (m_crossings[previous(i)].pivot != v || m_crossings[next(i)].pivot != v);
+    constexpr double tolerance = 1e-9; // radians
+    std::size_t before = k, behind = k;
+    while(before > 0 && norm(points[before] - points[k]) == 0)
+      --before;
+    while(behind + 1 < points.size() && norm(points[behind] - points[k]) == 0)
+      ++behind;
+    const Vector2 to = points[k] - points[before], from = points[behind] - points[k];
+    return std::abs(cross(to, from)) > tolerance * norm(to) * norm(from);
   }
 
   // How much longer the curve gets at most if it is drawn together at one of some consecutive gaps, which lie in a
   // strip of faces. Between two gaps, where both stretches are straight, they are opposite sides of a convex quadrangle
   // in the plane. The point from which the sum of the distances to its corners is least is that in which its diagonals
-  // cross.
-  double rise(std::size_t first, std::size_t last) const
+  // cross. The longer the quadrangle, the less is the rise; so it goes from one bend to the next.
+  double rise(std::size_t first, std::size_t last)
   {
     const Index begin = m_crossings[first].halfedge;
     Portal portal = {{0, norm(vector(m_pm.point(m_pm.source(begin)), m_pm.point(m_pm.target(begin))))}, {0, 0}};
-    double least = (std::numeric_limits<double>::infinity)();
-    Vector2 p_before = {0, 0}, q_before = {0, 0};
+    m_p.clear();
+    m_q.clear();
     for(std::size_t i = first;; i = next(i))
     {
-      const std::size_t j = m_across[i];
       if(i != first)
       {
         const Index h = m_crossings[previous(i)].halfedge;
         portal = next_portal(m_pm, h, portal, unfold_apex(m_pm, h, portal), m_crossings[i].halfedge);
       }
-      const Vector2 along = portal.left - portal.right, p = portal.right + m_crossings[i].parameter * along,
-                    q = portal.left - m_crossings[j].parameter * along;
-      if(i == first || i == last || is_bent(i, first, last) || is_bent(j, m_across[first], m_across[last]))
-      {
-        if(i != first)
-          least = (std::min)(least, norm(q - p_before) + norm(p - q_before) - norm(p - p_before) - norm(q - q_before));
-        else if(i == last)
-          least = 2 * norm(q - p);
-        p_before = p;
-        q_before = q;
-      }
+      const Vector2 along = portal.left - portal.right;
+      m_p.push_back(portal.right + m_crossings[i].parameter * along);
+      m_q.push_back(portal.left - m_crossings[m_across[i]].parameter * along);
       if(i == last)
-        return (std::max)(least, 0.0);
+        break;
     }
+    const std::size_t n = m_p.size();
+    if(n == 1)
+      return 2 * norm(m_q[0] - m_p[0]);
+    double least = (std::numeric_limits<double>::infinity)();
+    for(std::size_t i = 0, k = 1; k < n; ++k)
+      if(k + 1 == n || is_bent(m_p, k) || is_bent(m_q, k))
+      {
+        least = (std::min)(least, norm(m_q[k] - m_p[i]) + norm(m_p[k] - m_q[i]) - norm(m_p[k] - m_p[i]) -
+                                      norm(m_q[k] - m_q[i]));
+        i = k;
+      }
+    return (std::max)(least, 0.0);
   }
 
   // What is crossed after one crossing and before another one.
@@ -186,6 +194,7 @@ private:
   const Progressive_mesh& m_pm;
   std::vector<Crossing> m_crossings;
   std::vector<std::size_t> m_across; // by crossing
+  std::vector<Vector2> m_p, m_q;     // the two stretches beside some gaps, unfolded
   Zeroed_array<Index> m_last;        // by edge: the last curve that crosses it
   Index m_curve = 0;
 };
