@@ -112,18 +112,28 @@ double rise_in_corridor(const SMC::Progressive_mesh& pm, const Trace& trace)
   return pinches[0].rise;
 }
 
-// Along the corridor the curve passes a pivot on each side. Drawn together on a diagonal of a square, two of its unit
-// sides, of which one is a single point, become that diagonal and an end of the corridor.
-TEST(Pinches, ACorridorIsPinchedBetweenTwoPivots)
+// Along the corridor the curve passes a pivot on each side. Its sides, of length 2 and at the distance 1, are straight,
+// and become its diagonals.
+TEST(Pinches, ACorridorIsPinchedInItsMiddleWhereverItsSidesPassVertices)
 {
   const SMC::Progressive_mesh pm = grid(0);
   Trace lower, upper;
   pass(lower, {{3, 1}});
   pass(upper, {{3, 2}});
-  EXPECT_NEAR(rise_in_corridor(pm, around_two_rooms(lower, upper)), std::sqrt(2), 1e-12);
+  EXPECT_NEAR(rise_in_corridor(pm, around_two_rooms(lower, upper)), 2 * std::sqrt(5) - 4, 1e-12);
 }
 
-// Now both sides of the corridor, of length 2 and at the distance 1, are straight; they become its diagonals.
+// Where its sides are bent in the middle, it is two trapezoids of height 1, with parallel sides of length 1 and 2.
+TEST(Pinches, ABentCorridorIsPinchedBetweenItsBends)
+{
+  const SMC::Progressive_mesh pm = grid(0.5);
+  Trace lower, upper;
+  pass(lower, {{3, 1}});
+  pass(upper, {{3, 2}});
+  EXPECT_NEAR(rise_in_corridor(pm, around_two_rooms(lower, upper)), 2 * std::sqrt(3.25) - 2 * std::sqrt(1.25), 1e-12);
+}
+
+// The same where no vertices are on its sides.
 TEST(Pinches, ACorridorWithoutPivotsIsPinchedInItsMiddle)
 {
   const SMC::Progressive_mesh pm = grid(0.5);

@@ -145,6 +145,17 @@ private:
     return std::abs(cross(to, from)) > tolerance * norm(to) * norm(from);
   }
 
+  // The last of a sequence of points in the plane that a straight line leads to from one of them.
+  static std::size_t end_of_line(const std::vector<Vector2>& points, std::size_t begin)
+  {
+    std::size_t k = begin + 1;
+    while(k + 1 < points.size() && (norm(points[k] - points[begin]) == 0 || !is_bent(points, k)))
+      ++k;
+    while(k + 1 < points.size() && norm(points[k + 1] - points[k]) == 0)
+      ++k;
+    return k;
+  }
+
   // How much longer the curve gets at most if it is drawn together at one of some consecutive gaps, which lie in a
   // strip of faces. Between two gaps, where both stretches are straight, they are opposite sides of a convex quadrangle
   // in the plane. The point from which the sum of the distances to its corners is least is that in which its diagonals
@@ -172,13 +183,14 @@ private:
     if(n == 1)
       return 2 * norm(m_q[0] - m_p[0]);
     double least = (std::numeric_limits<double>::infinity)();
-    for(std::size_t i = 0, k = 1; k < n; ++k)
-      if(k + 1 == n || is_bent(m_p, k) || is_bent(m_q, k))
-      {
-        least = (std::min)(least, norm(m_q[k] - m_p[i]) + norm(m_p[k] - m_q[i]) - norm(m_p[k] - m_p[i]) -
-                                      norm(m_q[k] - m_q[i]));
-        i = k;
-      }
+    for(std::size_t i = 0; i + 1 < n; ++i)
+    {
+      if(i > 0 && !is_bent(m_p, i) && !is_bent(m_q, i))
+        continue;
+      const std::size_t k = (std::min)(end_of_line(m_p, i), end_of_line(m_q, i));
+      least = (std::min)(least,
+                         norm(m_q[k] - m_p[i]) + norm(m_p[k] - m_q[i]) - norm(m_p[k] - m_p[i]) - norm(m_q[k] - m_q[i]));
+    }
     return (std::max)(least, 0.0);
   }
 
