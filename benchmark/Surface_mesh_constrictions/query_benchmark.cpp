@@ -154,11 +154,13 @@ void measure(const Mesh& mesh)
   print("prepare", seconds([&] { query = std::make_unique<Query>(mesh); }), "s");
   print("memory of the object",
         static_cast<double>(resident_bytes() - before) / static_cast<double>(mesh.number_of_faces()), "bytes a face");
-  std::stringstream file;
-  print("write into memory", seconds([&] { query->write(file); }), "s");
-  print("size of the file", static_cast<double>(file.str().size()) / static_cast<double>(mesh.number_of_faces()),
-        "bytes a face");
-  print("read from memory", seconds([&] { Query read(mesh, file); }), "s");
+  {
+    std::stringstream file;
+    print("write into memory", seconds([&] { query->write(file); }), "s");
+    print("size of the file", static_cast<double>(file.tellp()) / static_cast<double>(mesh.number_of_faces()),
+          "bytes a face");
+    print("read from memory", seconds([&] { Query read(mesh, file); }), "s");
+  }
 
   std::mt19937 random(1);
   const std::vector<Mesh::Point> places = random_places(mesh, random);
