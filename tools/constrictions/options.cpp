@@ -3,6 +3,7 @@
 
 #include "command_line.h"
 #include "help/command_help.h"
+#include "option_values.h"
 #include "output/mesh_as_text.h"
 #include "output/parts.h"
 #include "usage_error.h"
@@ -15,16 +16,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -78,36 +75,6 @@ const char* const examples =
     "\n"
     "Exit codes: 0 done (there may be no constrictions), 1 the input is not a usable mesh, or a curve is not\n"
     "certified, 2 wrong usage, 3 an output could not be written.\n";
-
-std::string not_empty(const std::string& name) { return name.empty() ? "a name is missing" : ""; }
-
-CLI::Validator greater_than_zero()
-{
-  return CLI::Validator(
-      [](const std::string& text) {
-        double value = 0;
-        return CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value)
-                   ? ""
-                   : "give a number that is greater than 0";
-      },
-      "");
-}
-
-// A whole number from `low` to `high`; without an end if that is the greatest.
-CLI::Validator whole_number(std::size_t low, std::size_t high = (std::numeric_limits<std::size_t>::max)())
-{
-  return CLI::Validator(
-      [low, high](const std::string& text) {
-        std::size_t value = 0;
-        const std::from_chars_result r = std::from_chars(text.data(), text.data() + text.size(), value);
-        if(r.ec == std::errc() && r.ptr == text.data() + text.size() && low <= value && value <= high)
-          return std::string();
-        return "give a whole number" + (high == (std::numeric_limits<std::size_t>::max)()
-                                            ? (low == 0 ? "" : " from " + std::to_string(low) + " on")
-                                            : " from " + std::to_string(low) + " to " + std::to_string(high));
-      },
-      "");
-}
 
 void add_reading(CLI::App& command, Reading& reading)
 {
@@ -314,16 +281,6 @@ void add_view_options(CLI::App& command, Options& options)
   command.footer("\nA slider in the page shows weaker curves, too, down to a prominence of 0.01, or all with --all.\n");
 }
 
-CLI::Validator not_negative()
-{
-  return CLI::Validator(
-      [](const std::string& text) {
-        double value = 0;
-        return CLI::detail::lexical_cast(text, value) && value >= 0 ? "" : "give a number that is not negative";
-      },
-      "");
-}
-
 // The end of a sentence.
 std::string by_default(double x)
 {
@@ -379,31 +336,6 @@ void add_selection_options(CLI::App& command, Selection& selection)
                   "after the selection, leave out curves that are longer than this")
       ->type_name("L")
       ->check(not_negative());
-}
-
-// Three numbers separated by commas.
-std::optional<std::array<double, 3>> parse_location(const std::string& text)
-{
-  std::array<double, 3> location;
-  const char *begin = text.data(), *const end = begin + text.size();
-  for(std::size_t i = 0; i < 3; ++i)
-  {
-    const std::from_chars_result r = std::from_chars(begin, end, location[i]);
-    const bool is_last = i == 2;
-    if(r.ec != std::errc() || !std::isfinite(location[i]) || (r.ptr == end) != is_last || (!is_last && *r.ptr != ','))
-      return std::nullopt;
-    begin = r.ptr + 1;
-  }
-  return location;
-}
-
-CLI::Validator is_location()
-{
-  return CLI::Validator(
-      [](const std::string& text) {
-        return parse_location(text) ? "" : "give three numbers separated by commas, as in 0.5,-1,2e3";
-      },
-      "");
 }
 
 void add_near_option(CLI::App& command, Search& search)
@@ -482,20 +414,6 @@ void add_girth_options(CLI::App& command, Girth& girth)
       ->type_name("A")
       ->check(not_negative())
       ->excludes(axis);
-}
-
-// Two whole numbers with a slash between them, 1 <= I <= N.
-std::optional<Slice> parse_slice(std::string_view text)
-{
-  std::size_t index = 0, count = 0;
-  const char* const end = text.data() + text.size();
-  const std::from_chars_result i = std::from_chars(text.data(), end, index);
-  if(i.ec != std::errc() || i.ptr == end || *i.ptr != '/')
-    return std::nullopt;
-  const std::from_chars_result n = std::from_chars(i.ptr + 1, end, count);
-  if(n.ec != std::errc() || n.ptr != end || index < 1 || index > count)
-    return std::nullopt;
-  return Slice{index - 1, count};
 }
 
 void add_batch_options(CLI::App& command, Options& options)
