@@ -33,7 +33,8 @@ class Level_search
 public:
   // `to_input` leads to T^0, `pm`. Linear in the size of the level.
   Level_search(const Progressive_mesh& pm, Paths_to_finer_level& to_input, const Measuring_level& level)
-    : m_pm(pm), m_to_input(to_input), m_level(level), m_search(level.copy.surface(), level.lengths, level.angles)
+    : m_pm(pm), m_to_input(to_input, level.copy), m_level(level),
+      m_search(level.copy.surface(), level.lengths, level.angles)
   {}
 
   // The prominence of the curve from which `input` searched last; none if this level does not hold that curve. Cost:
@@ -143,8 +144,7 @@ private:
     if(known != m_on_input.end())
       return known->second;
     const Boundary_tightener& here = m_search.tightener();
-    On_input there = {m_to_input(m_level.copy, path_beside_curve(here.surface(), trace(here.surface(), here.arcs(c)))),
-                      null_index};
+    On_input there = {m_to_input(path_beside_curve(here.surface(), trace(here.surface(), here.arcs(c)))), null_index};
     there.curve = input.tightener().tighten_path(there.path);
     return m_on_input.emplace(c, std::move(there)).first->second;
   }
@@ -188,7 +188,7 @@ private:
   }
 
   const Progressive_mesh& m_pm;
-  Paths_to_finer_level& m_to_input;
+  Paths_from_level m_to_input;
   const Measuring_level& m_level;
   Barrier_search m_search;
   std::unordered_map<Index, On_input> m_on_input; // by number here

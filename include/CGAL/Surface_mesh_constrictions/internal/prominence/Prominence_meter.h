@@ -3,24 +3,24 @@
 #define CGAL_SURFACE_MESH_CONSTRICTIONS_INTERNAL_PROMINENCE_PROMINENCE_METER_H
 
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Level_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/Group.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Paths_to_finer_level.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
 #include <CGAL/for_each.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <deque>
-#include <iterator>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,7 +28,7 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Measures the prominences of curves of a surface, several at a time. Each depends on the surface, its levels and its
-// curve alone. On a large surface most of them are measured on a coarser level, see `prominence_on_level()`.
+// curve alone, but for rounding. On a large surface most of them are measured on a coarser level, see `Level_search`.
 class Prominence_meter
 {
 public:
@@ -41,26 +41,25 @@ public:
   template <class ConcurrencyTag>
   std::vector<Prominence> measure(const std::vector<Measured_curve>& curves)
   {
-    // a search needs memory in proportion to the mesh, and time to be made, so there are only a few, and they are kept
-    auto groups = make_groups<std::vector<Prominence>>(
-        curves.size(), (std::max)((curves.size() + most_searches - 1) / most_searches, least_group_size));
-    m_searches.resize((std::max)(m_searches.size(), groups.size()));
-    CGAL::for_each<ConcurrencyTag>(groups, [&](Group<std::vector<Prominence>>& group) {
-      std::optional<Searches>& searches = m_searches[static_cast<std::size_t>(&group - groups.data())];
-      if(!searches)
-        searches.emplace(m_pm, m_lengths, m_angles, m_levels);
-      for(std::size_t i = group.begin; i < group.end; ++i)
-        group.result.push_back(measure(*searches, curves[i]));
+    if(m_regions.empty())
+      divide(curves);
+    for(Region& r : m_regions)
+      r.curves.clear();
+    for(std::size_t i = 0; i < curves.size(); ++i)
+      region(curves[i]).curves.push_back(i);
+    std::vector<Prominence> result(curves.size());
+    CGAL::for_each<ConcurrencyTag>(m_regions, [&](Region& r) {
+      if(!r.searches && !r.curves.empty())
+        r.searches.emplace(m_pm, m_lengths, m_angles, m_levels);
+      for(const std::size_t i : r.curves)
+        result[i] = measure(*r.searches, curves[i]);
       return true;
     });
-    std::vector<Prominence> result;
-    for(Group<std::vector<Prominence>>& group : groups)
-      std::move(group.result.begin(), group.result.end(), std::back_inserter(result));
     return result;
   }
 
 private:
-  static constexpr std::size_t most_searches = 4, least_group_size = 16;
+  static constexpr std::size_t most_regions = 4, least_region_size = 16;
   // The barriers between curves that become one on a level are lower than this, and near: on scans subdivided to
   // 832,000 faces they are up to 0.035. If no barrier is found up to there, the prominence on the level is right.
   static constexpr double greatest_within_place = 0.05;
@@ -80,6 +79,62 @@ private:
         on_levels.emplace_back(pm, to_input, level);
     }
   };
+
+  // A part of space. The curves in it are measured by the same searches, in their order, on any number of threads. A
+  // search remembers the curves that it has met, and these lie near: so each is met by few searches. It needs memory in
+  // proportion to the mesh, and time to be made, so there are only a few, and they are kept.
+  struct Region
+  {
+    double begin; // of its interval of `place()`
+    std::optional<Searches> searches;
+    std::vector<std::size_t> curves;
+
+    explicit Region(double b) : begin(b) {}
+  };
+
+  // Divides space so that each region has about as many of these curves.
+  void divide(const std::vector<Measured_curve>& curves)
+  {
+    std::array<std::vector<double>, 3> places; // by axis
+    for(const Measured_curve& c : curves)
+      for(m_axis = 0; m_axis < 3; ++m_axis)
+        places[m_axis].push_back(place(c));
+    const auto extent = [](std::vector<double>& x) {
+      std::sort(x.begin(), x.end());
+      return x.empty() ? 0 : x.back() - x.front();
+    };
+    std::array<double, 3> extents;
+    std::transform(places.begin(), places.end(), extents.begin(), extent);
+    m_axis = static_cast<std::size_t>(std::max_element(extents.begin(), extents.end()) - extents.begin());
+    const std::vector<double>& x = places[m_axis];
+    m_regions.emplace_back(-(std::numeric_limits<double>::infinity)());
+    const std::size_t regions = (std::min)(x.size() / least_region_size, most_regions);
+    for(std::size_t i = 1; i < regions; ++i)
+      m_regions.emplace_back(x[i * x.size() / regions]);
+  }
+
+  // The centre of the box around a curve, along the axis by which space is divided.
+  double place(const Measured_curve& c) const
+  {
+    double low = (std::numeric_limits<double>::infinity)(), high = -low;
+    for(const Trace_point& p : c.trace)
+    {
+      const Vector3 at = position(m_pm, p);
+      const double x = m_axis == 0 ? at.x : m_axis == 1 ? at.y : at.z;
+      low = (std::min)(low, x);
+      high = (std::max)(high, x);
+    }
+    return low + (high - low) / 2;
+  }
+
+  Region& region(const Measured_curve& c)
+  {
+    const double x = place(c);
+    std::size_t i = m_regions.size() - 1;
+    while(i > 0 && x < m_regions[i].begin)
+      --i;
+    return m_regions[i];
+  }
 
   static Prominence measure(Searches& searches, const Measured_curve& curve)
   {
@@ -111,7 +166,8 @@ private:
   Edge_lengths m_lengths;
   Corner_angles m_angles;
   const std::deque<Measuring_level>& m_levels;
-  std::deque<std::optional<Searches>> m_searches;
+  std::size_t m_axis = 0;
+  std::deque<Region> m_regions; // in the order of their intervals
 };
 
 } // namespace internal

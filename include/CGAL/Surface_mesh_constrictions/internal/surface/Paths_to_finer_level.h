@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -127,6 +129,50 @@ private:
   Zeroed_array<Reached> m_reached; // by vertex
   std::vector<Entry> m_heap;
   Index m_search = 0;
+};
+
+// Leads closed paths of edges of one level back to T^0. Curves that lie near each other pass the same edges, so the way
+// of each edge is searched once. Memory: in proportion to the ways of the edges that were passed.
+class Paths_from_level
+{
+public:
+  // `to_finer` leads to T^0, from which the level must have been copied.
+  Paths_from_level(Paths_to_finer_level& to_finer, const Level_copy& level) : m_to_finer(to_finer), m_level(level) {}
+
+  // As `Paths_to_finer_level`, with the same result.
+  std::vector<Index> operator()(const std::vector<Index>& path)
+  {
+    std::vector<Index> result;
+    for(std::size_t i = 0; i < path.size(); ++i)
+    {
+      const std::vector<Index>& way = this->way(path[i], path[(i + 1) % path.size()]);
+      if(way.empty())
+        return {};
+      result.insert(result.end(), way.begin(), way.end());
+    }
+    remove_spurs(result);
+    return result;
+  }
+
+private:
+  // From one end of an edge to the other, without that; empty if they are not connected.
+  const std::vector<Index>& way(Index u, Index v)
+  {
+    const auto [at, is_new] = m_ways.try_emplace((static_cast<std::uint64_t>(u) << 32) | v);
+    if(is_new)
+      m_to_finer.append(
+          m_level.original(u), m_level.original(v),
+          [this, u, v](Index x) {
+            const Index merged = m_level.vertex(x);
+            return merged == u || merged == v;
+          },
+          at->second);
+    return at->second;
+  }
+
+  Paths_to_finer_level& m_to_finer;
+  const Level_copy& m_level;
+  std::unordered_map<std::uint64_t, std::vector<Index>> m_ways; // by the numbers of the two ends
 };
 
 } // namespace internal
