@@ -124,7 +124,7 @@ public:
   bool precedes(Index c, Index d) const { return tie_key(m_network, c) < tie_key(m_network, d); }
 
   // Tightens closed curves without pivots, given by the halfedges that they cross, of this length in total; stops as
-  // soon as the results together are longer than the limit. Each curve is first pulled tight in its strip, which
+  // soon as several results together are longer than the limit. Each curve is first pulled tight in its strip, which
   // shortens it steadily, so that on the way to its result it never gets longer. Cost: linear in the strips, plus that
   // of tightening each until it meets the way of another one.
   Tightened_boundary tighten(const std::vector<Strip>& strips, double length, double limit)
@@ -153,7 +153,8 @@ public:
         result.longest = end;
         result.strip = given;
       }
-      if(result.length > limit)
+      // a single curve that is too long may be a neighbour, if the other ones are points
+      if(result.length > limit && result.length > m_length[result.longest])
         break;
     }
     return result;

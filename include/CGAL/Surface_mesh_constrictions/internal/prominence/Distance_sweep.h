@@ -57,9 +57,12 @@ public:
     for(Side& s : m_sides)
       s.restart(length);
     start_front(m_pm, trace, m_front, m_sides[0].start, m_sides[1].start);
-    for(Side& s : m_sides)
-      for(Index f : s.start.faces)
-        s.touched.emplace_back(f, 0.);
+    // where the sides meet, a face at a pivot may come to be on both of them
+    for(std::size_t s = 0; s < 2; ++s)
+      for(std::size_t from = 0; from < 2; ++from)
+        if(from == s || m_sides_meet)
+          for(Index f : m_sides[from].start.faces)
+            m_sides[s].touched.emplace_back(f, 0.);
     for(const Trace_point& p : trace)
       if(p.is_pivot())
         m_sides[1].vertices.push_back(p.pivot); // it lies on the right of the crossings
