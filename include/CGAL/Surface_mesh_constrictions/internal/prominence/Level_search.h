@@ -53,23 +53,23 @@ public:
     double height = 0;
     for(Index at = c, steps = 0; steps < most_steps; ++steps)
     {
-      const Barrier b = m_search.search(here.arcs(at), trace(here.surface(), here.arcs(at)), curve.separates,
-                                        (std::numeric_limits<double>::infinity)());
+      const Found& found = search(at, curve.separates);
       const double height_before = height;
-      height = (std::max)(height, b.length);
-      std::optional<Prominence> p = prominence_on_input(input, curve, prominence_of_barrier(height, here.length(c)), b);
+      height = (std::max)(height, found.barrier.length);
+      std::optional<Prominence> p =
+          prominence_on_input(input, curve, prominence_of_barrier(height, here.length(c)), found.barrier);
       if(p)
       {
         if(p->value >= negligible_prominence)
-          p = lower_neighbour(input, curve, c, height_before, m_search.neighbours(), *p);
+          p = lower_neighbour(input, curve, c, height_before, found.neighbours, *p);
         if(p->value >= negligible_prominence && has_lower(input, c))
           return std::nullopt;
         p->place = here.hash(c);
         return p;
       }
-      if(b.end != Barrier_end::CURVE)
+      if(found.barrier.end != Barrier_end::CURVE)
         break;
-      at = b.curve;
+      at = found.barrier.curve;
     }
     return std::nullopt;
   }
@@ -100,6 +100,25 @@ private:
         return false;
     }
     return true;
+  }
+
+  // What a search has found.
+  struct Found
+  {
+    Barrier barrier;
+    std::vector<Barrier_search::Neighbour> neighbours;
+  };
+
+  // Searches from a curve of this level. Curves of T^0 that become one here come up repeatedly; it is searched once.
+  const Found& search(Index c, bool separates)
+  {
+    const auto known = m_found.find(c);
+    if(known != m_found.end())
+      return known->second;
+    const Boundary_tightener& here = m_search.tightener();
+    Barrier barrier = m_search.search(here.arcs(c), trace(here.surface(), here.arcs(c)), separates,
+                                      (std::numeric_limits<double>::infinity)());
+    return m_found.emplace(c, Found{std::move(barrier), m_search.neighbours()}).first->second;
   }
 
   // The lowest barrier to a neighbour that is shorter on T^0, if that is lower than what has been found for a curve
@@ -191,7 +210,8 @@ private:
   Paths_from_level m_to_input;
   const Measuring_level& m_level;
   Barrier_search m_search;
-  std::unordered_map<Index, On_input> m_on_input; // by number here
+  std::unordered_map<Index, Found> m_found;       // by number here
+  std::unordered_map<Index, On_input> m_on_input; // likewise
 };
 
 } // namespace internal
