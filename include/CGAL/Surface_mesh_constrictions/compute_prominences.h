@@ -28,6 +28,7 @@
 #include <limits>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,28 @@ inline void level_endless(const std::vector<double>& lengths, std::vector<Hierar
       least = (std::min)(least, (1 + entries[order[end]].prominence) * lengths[order[end]]);
     for(std::size_t i = begin; i < end; ++i)
       entries[order[i]].prominence = prominence_of_barrier(least, lengths[order[i]]);
+  }
+}
+
+// Of two curves without an end that are at one place the longer one can become the other, though no way to it has been
+// found. `isolation(i, j)` is the area between two of them, relative to the squared length of number i. Quadratic in the
+// number of curves without an end.
+template <class Isolation>
+void lead_endless(const std::vector<double>& lengths, const Isolation& isolation, std::vector<Hierarchy_entry>& entries)
+{
+  std::vector<Index> shorter;
+  for(Index i : by_length(lengths))
+  {
+    if(entries[i].has_end)
+      continue;
+    double least = area_of_one_place;
+    for(Index j : shorter)
+      if(const double area = isolation(i, j); area < least)
+      {
+        least = area;
+        entries[i].dominated_by = j;
+      }
+    shorter.push_back(i);
   }
 }
 
@@ -107,6 +130,7 @@ void set_prominences(const Progressive_mesh& pm, const Surface_sides& sides,
                ? (std::numeric_limits<double>::infinity)()
                : sides.area_between(traces[i], traces[j]) / std::pow(length(pm, traces[i]), 2);
   };
+  lead_endless(lengths, isolation_from, entries);
   std::vector<bool> is_known;
   for(std::size_t i = 0; i < data.size(); ++i)
   {
@@ -154,6 +178,22 @@ void set_prominences(const Progressive_mesh& pm, const Surface_sides& sides,
     constrictions[i] = Constriction<TriangleMesh>(std::move(data[i]));
 }
 
+// Lengths that differ by less than a tolerance count as equal, so that a way along dominated_by may come back: each of
+// three curves may stand for the one before. Such ways end at the first curve of the ring. Linear.
+inline void break_rings(std::vector<Hierarchy_entry>& entries)
+{
+  std::vector<std::size_t> way_of(entries.size(), entries.size()); // the first way that passes an entry
+  for(std::size_t way = 0; way < entries.size(); ++way)
+    for(std::optional<std::size_t> i = way; i && (way_of[*i] == entries.size() || way_of[*i] == way);)
+    {
+      std::optional<std::size_t>& next = entries[*i].dominated_by;
+      if(way_of[*i] == way)
+        next.reset();
+      way_of[*i] = way;
+      i = next;
+    }
+}
+
 // The hierarchy of simple closed geodesics of T^0 among each other: what is not among them is followed on to what it
 // slides to.
 inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm, const Surface_sides& sides,
@@ -173,12 +213,14 @@ inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm, const 
     const Barrier* b = &slides.barrier(numbers[i]);
     const double prominence = prominence_of_barrier(b->length, slides.length(numbers[i]));
     const bool has_end = b->end != Barrier_end::NONE;
-    while(b->end == Barrier_end::CURVE && place.count(b->curve) == 0)
+    std::unordered_set<Index> passed; // they may form a ring, see `break_rings()`
+    while(b->end == Barrier_end::CURVE && place.count(b->curve) == 0 && passed.insert(b->curve).second)
       b = &slides.barrier(b->curve);
     result.push_back({prominence, std::nullopt, b->vertex, has_end});
-    if(b->end == Barrier_end::CURVE)
+    if(b->end == Barrier_end::CURVE && place.count(b->curve) > 0)
       result.back().dominated_by = place.at(b->curve);
   }
+  break_rings(result);
   return result;
 }
 
@@ -212,8 +254,9 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
 /// `Constriction::slides_off()`. If that constriction is not in the set, the function follows it on to the one that it
 /// slides to. Lengths do not grow along `Constriction::dominated_by()`, and of two curves of equal length always the
 /// same one stands for both, so that the way along it ends. A curve that does not separate may have no end, because it
-/// cannot become shorter. Its prominence tells how long it is when its two swept sides meet; several such curves of the
-/// same length all get the least of these values.
+/// cannot become shorter; of two at one place, with hardly any area between them, the longer one slides to the other.
+/// Its prominence tells how long it is when its two swept sides meet; several such curves of the same length all get
+/// the least of these values.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam ConstrictionRange a range of `Constriction<TriangleMesh>`

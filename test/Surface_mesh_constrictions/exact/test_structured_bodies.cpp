@@ -430,4 +430,24 @@ TEST(StructuredBodies, OneMeridianOfACounterboreStandsForAll)
   }
 }
 
+// Many meridians of nearly the same length: around each the next ones are longer by 4e-5, and rounding to floats makes
+// lengths differ by 1e-8. The way to the shortest one leads past all of them.
+TEST(StructuredBodies, AWayPastManyTwinsLeadsToTheOneThatStandsForAll)
+{
+  for(const bool is_rounded : {false, true})
+  {
+    Soup soup = lathe(96, {{{4, 0}}, {{4, 3}}, {{8, 3}}, {{8, 4}}, {{13, 4}}, {{13, 0}}});
+    if(is_rounded)
+      for(auto& p : soup.points)
+        for(double& x : p)
+          x = static_cast<float>(x);
+    const auto curves = detection::detect(test_meshes::make_mesh(soup));
+    ASSERT_FALSE(curves.empty());
+    EXPECT_NEAR(curves[0].length(), 8 * 96 * std::sin(CGAL_PI / 96), 1e-5);
+    EXPECT_LE(std::count_if(curves.begin(), curves.end(),
+                            [](const auto& c) { return 23 < c.length() && c.length() < 26 && c.roundness() < 0.7; }),
+              2);
+  }
+}
+
 } // namespace test_structured_bodies

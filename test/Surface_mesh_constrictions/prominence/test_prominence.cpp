@@ -264,4 +264,35 @@ TEST(LevelEndless, NoneIsLessProminentThanItsLengthAllows)
   EXPECT_NEAR(entries[2].prominence, 0.25, 1e-15);
 }
 
+// At the places 0, 0.1, 0.5, 0.55, 0.6 of a line. The last one has an end.
+TEST(LeadEndless, TheLongerOneOfTwoAtOnePlaceSlidesToTheOther)
+{
+  namespace internal = SMC::internal;
+  const std::vector<double> lengths = {1.2, 1, 1.1, 1.3, 1}, places = {0, 0.1, 0.5, 0.55, 0.6};
+  std::vector<internal::Hierarchy_entry> entries(5, {0.5, std::nullopt, SMC::null_index, false});
+  entries[4].has_end = true;
+  internal::lead_endless(
+      lengths, [&](std::size_t i, std::size_t j) { return std::abs(places[i] - places[j]); }, entries);
+  EXPECT_EQ(entries[0].dominated_by, 1u);
+  EXPECT_FALSE(entries[1].dominated_by);
+  EXPECT_FALSE(entries[2].dominated_by);
+  EXPECT_EQ(entries[3].dominated_by, 2u);
+  EXPECT_FALSE(entries[4].dominated_by);
+}
+
+TEST(BreakRings, WaysThatComeBackEndAtTheFirstCurveOfTheRing)
+{
+  namespace internal = SMC::internal;
+  std::vector<internal::Hierarchy_entry> entries(6, {0.5, std::nullopt, SMC::null_index, true});
+  const std::vector<std::size_t> to = {3, 2, 3, 1, 5};
+  for(std::size_t i = 0; i < to.size(); ++i)
+    entries[i].dominated_by = to[i];
+  internal::break_rings(entries); // 0 leads to the ring 3, 1, 2, and 4 to 5
+  for(std::size_t i = 0; i < to.size(); ++i)
+    if(i == 3)
+      EXPECT_FALSE(entries[i].dominated_by);
+    else
+      EXPECT_EQ(entries[i].dominated_by, to[i]);
+}
+
 } // namespace test_prominence

@@ -115,7 +115,8 @@ private:
     return further != nullptr && is_lower(*further) ? barrier(b.length, *further) : b;
   }
 
-  static constexpr std::size_t most_detours = 16, most_passes = 64;
+  static constexpr std::size_t most_detours = 16, most_alike_detours = 128, most_passes = 64;
+  static constexpr double alike_tolerance = 1e-3;
   // Rises that differ by less than this share of the length are equal but for rounding.
   static constexpr double equal_rise_tolerance = 1e-12;
 
@@ -140,13 +141,21 @@ private:
       best = std::move(swept);
     // Around a bend level sets fall behind on the outside. Where they have come into the basin of a longer curve, the
     // sweep from that one is better aligned; the lowest such curve first.
+    // Beyond some such curves only those are passed that are nearly as short as the goal, and only for a barrier of less
+    // than half the height: of equal ways the nearer one is kept.
     std::vector<Index> passed(1, m_goal);
-    for(std::size_t i = 0; i < detours; ++i)
+    const auto is_longer = [this](const Neighbour& n) {
+      return m_tightener.length(n.curve) > (1 + alike_tolerance) * m_goal_length;
+    };
+    for(std::size_t i = 0; i < (detours < most_detours ? detours : most_alike_detours); ++i)
     {
+      const double limit = i < detours ? best.length : m_goal_length + (best.length - m_goal_length) / 2;
+      if(i >= detours)
+        m_neighbours.erase(std::remove_if(m_neighbours.begin(), m_neighbours.end(), is_longer), m_neighbours.end());
       const auto lowest =
           std::min_element(m_neighbours.begin(), m_neighbours.end(),
                            [](const Neighbour& x, const Neighbour& y) { return x.barrier < y.barrier; });
-      if(lowest == m_neighbours.end() || lowest->barrier >= best.length)
+      if(lowest == m_neighbours.end() || lowest->barrier >= limit)
         break;
       const Neighbour by = *lowest;
       m_neighbours.erase(lowest);
@@ -156,7 +165,7 @@ private:
       if(further != nullptr && is_lower(*further))
       {
         const double height = (std::max)(by.barrier, further->height);
-        if(height < best.length)
+        if(height < limit)
           best = barrier(height, *further);
         continue;
       }
@@ -164,9 +173,9 @@ private:
       m_barrier_before = by.barrier;
       const std::vector<Trace_point> its_trace = internal::trace(m_tightener.surface(), m_tightener.arcs(by.curve));
       find_pinches(its_trace);
-      Barrier found = sweep(by.curve, its_trace, best.length);
+      Barrier found = sweep(by.curve, its_trace, limit);
       found.length = (std::max)(found.length, by.barrier);
-      if((found.end == Barrier_end::CURVE || found.end == Barrier_end::POINT) && found.length < best.length)
+      if((found.end == Barrier_end::CURVE || found.end == Barrier_end::POINT) && found.length < limit)
         best = std::move(found);
     }
     m_barrier_before = 0;
@@ -293,12 +302,8 @@ private:
                                                   longest != m_goal && m_tightener.precedes(longest, m_goal));
   }
 
-  // Whether a descent ends in a curve that is shorter than the goal, or, if the goal separates, in a point.
-  bool is_lower(const Descent& d) const
-  {
-    return d.curve == null_index ? m_separates
-                                 : m_tightener.length(d.curve) < m_goal_length * (1 - equal_length_tolerance);
-  }
+  // Whether a descent ends in a curve that is lower than the goal, or, if the goal separates, in a point.
+  bool is_lower(const Descent& d) const { return d.curve == null_index ? m_separates : is_lower(d.curve); }
 
   // Searches the lowest barrier on the way from a curve to one that is shorter than the goal.
   Barrier sweep(Index start, const std::vector<Trace_point>& trace, double greatest_length)
