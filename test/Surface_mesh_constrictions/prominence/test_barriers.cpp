@@ -41,13 +41,16 @@ struct Spike
   double by;
 };
 
-Soup union_of(const std::vector<Box>& boxes)
+Soup union_of(const std::vector<Box>& boxes, const Position& scale)
 {
-  return test_meshes::voxels({{24, 12, 24}}, [&](int i, int j, int k) {
-    return std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) {
-      return b[0] <= i && i < b[3] && b[1] <= j && j < b[4] && b[2] <= k && k < b[5];
-    });
-  });
+  return test_meshes::voxels(
+      {{24, 12, 24}},
+      [&](int i, int j, int k) {
+        return std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) {
+          return b[0] <= i && i < b[3] && b[1] <= j && j < b[4] && b[2] <= k && k < b[5];
+        });
+      },
+      scale);
 }
 
 std::size_t place(const Soup& soup, const Position& p)
@@ -67,9 +70,11 @@ Soup with_spikes(Soup soup, const std::vector<Spike>& spikes)
 class Body
 {
 public:
-  explicit Body(const std::vector<Box>& boxes, const std::vector<Spike>& spikes = {})
-    : m_soup(union_of(boxes)), m_pm(test_meshes::make_progressive(with_spikes(m_soup, spikes))), m_lengths(m_pm), m_angles(m_pm),
-      m_search(m_pm, m_lengths, m_angles)
+  // `scale` stretches the axes.
+  explicit Body(const std::vector<Box>& boxes, const std::vector<Spike>& spikes = {},
+                const Position& scale = {{1, 1, 1}})
+    : m_scale(scale), m_soup(union_of(boxes, scale)), m_pm(test_meshes::make_progressive(with_spikes(m_soup, spikes))),
+      m_lengths(m_pm), m_angles(m_pm), m_search(m_pm, m_lengths, m_angles)
   {}
 
   const SMC::Progressive_mesh& surface() const { return m_pm; }
@@ -87,18 +92,18 @@ public:
       const std::array<int, 2>&from = corners[i], &to = corners[(i + 1) % corners.size()];
       const int steps = std::abs(to[0] - from[0]) + std::abs(to[1] - from[1]);
       for(int k = 0; k < steps; ++k)
-        path.push_back(vertex({{static_cast<double>(from[0] + (to[0] - from[0]) / steps * k),
-                                static_cast<double>(from[1] + (to[1] - from[1]) / steps * k), static_cast<double>(z)}}));
+        path.push_back(vertex({{(from[0] + (to[0] - from[0]) / steps * k) * m_scale[0],
+                                (from[1] + (to[1] - from[1]) / steps * k) * m_scale[1], z * m_scale[2]}}));
     }
     return m_search.tightener().tighten_path(path);
   }
 
   double length(Index c) { return m_search.tightener().length(c); }
 
-  Barrier barrier(Index c, double greatest_length = infinity, bool with_ties = true)
+  Barrier barrier(Index c, double greatest_length = infinity, bool with_ties = true, bool separates = true)
   {
     const std::vector<internal::Arc> arcs = m_search.tightener().arcs(c);
-    return m_search.search(arcs, internal::trace(m_pm, arcs), true, greatest_length, with_ties);
+    return m_search.search(arcs, internal::trace(m_pm, arcs), separates, greatest_length, with_ties);
   }
 
   Barrier barrier_of_vertices(Index c, double greatest_length = infinity, bool with_ties = true)
@@ -107,6 +112,7 @@ public:
   }
 
 private:
+  Position m_scale;
   Soup m_soup; // without spikes
   SMC::Progressive_mesh m_pm;
   internal::Edge_lengths m_lengths;
@@ -118,6 +124,14 @@ private:
 bool strip_becomes_curve(Body& b, const Barrier& barrier)
 {
   return b.search().tightener().tighten({barrier.strip}, infinity, infinity).longest == barrier.curve;
+}
+
+Index least_pivot(Body& b, Index c)
+{
+  Index result = null_index;
+  for(const internal::Arc& a : b.search().tightener().arcs(c))
+    result = (std::min)(result, a.from);
+  return result;
 }
 
 // A tube of 4 x 4 with z from 5 to 7, on the front of which there is a spike. Above it is a box.
@@ -199,7 +213,7 @@ TEST(Barriers, OfTwoBeltsOfTheSameLengthOneSlidesToTheOther)
       ++sliding;
       EXPECT_NEAR(with_ties.length, over_spike(2), 1e-9);
       EXPECT_EQ(with_ties.curve, belts[1 - i]);
-      EXPECT_TRUE(b.search().tightener().precedes(belts[1 - i], belts[i]));
+      EXPECT_LT(least_pivot(b, belts[1 - i]), least_pivot(b, belts[i]));
     }
     else
       EXPECT_EQ(with_ties.length, without.length);
@@ -271,6 +285,79 @@ TEST(Barriers, ABeltOfTwoLegsPartsAtThePinchBetweenThem)
   EXPECT_NEAR(b.length(over.curve), 12, 1e-12);
   EXPECT_EQ(over.vertex, null_index);
   EXPECT_TRUE(strip_becomes_curve(b, over));
+}
+
+// Without feet both parts slide off.
+TEST(Barriers, BehindAPinchABeltMaySlideOff)
+{
+  Body b({leg(2), leg(7), sheet(5, 2), {{2, 4, 6, 5, 7, 9}}, {{7, 4, 6, 10, 7, 9}}}, {on_left_leg});
+  const Index c = b.belt(around_legs({2, 7}), 9);
+  ASSERT_NEAR(b.length(c), 26, 1e-12);
+  const Barrier over = b.barrier(c);
+  EXPECT_NEAR(over.length, 26 + over_pinch(2), 1e-9);
+  ASSERT_EQ(over.end, Barrier_end::POINT);
+  ASSERT_NE(over.vertex, null_index);
+  EXPECT_LE(b.surface().point(over.vertex).z(), 9);
+}
+
+// The sheets between three legs, in either order, are 2 and 3 long. Where it is pinched at the longer one, a belt gets
+// less long. It does the same where a handle joins what is below it to what is above it.
+TEST(Barriers, OfTwoPinchesABeltPartsAtTheLowerOne)
+{
+  for(int first : {2, 3})
+  {
+    const int second = 5 - first, x = 5 + first, y = x + 3 + second; // of the legs after the first one
+    const std::vector<Box> body = {leg(2),
+                                   leg(x),
+                                   leg(y),
+                                   sheet(5, first),
+                                   sheet(x + 3, second),
+                                   foot_of_leg(0, 5),
+                                   {{x, 2, 5, x + 3, 9, 9}},
+                                   foot_of_leg(y, 5)};
+    std::vector<Box> ring = body;
+    ring.push_back({{2, 4, 12, y + 3, 7, 14}});
+    ring.push_back({{2, 2, 14, y + 7, 9, 16}});
+    ring.push_back({{y + 5, 2, 5, y + 7, 9, 14}});
+    for(bool is_ring : {false, true})
+    {
+      Body b(is_ring ? ring : body, {on_left_leg});
+      const Index c = b.belt(around_legs({2, x, y}), 9);
+      ASSERT_NEAR(b.length(c), 42, 1e-12);
+      const Barrier over = b.barrier(c, infinity, true, !is_ring);
+      EXPECT_NEAR(over.length, 42 + over_pinch(3), 1e-9) << first << is_ring;
+      ASSERT_EQ(over.end, Barrier_end::CURVE);
+      EXPECT_NEAR(b.length(over.curve), 26, 1e-12); // of the other two legs
+      EXPECT_EQ(over.vertex, null_index);
+      EXPECT_TRUE(strip_becomes_curve(b, over));
+    }
+  }
+}
+
+// The sheet is as thick as the legs. Each of the curves around one leg is shorter than the belt, both are longer.
+TEST(Barriers, ABeltDoesNotPartIntoTwoThatTogetherAreLonger)
+{
+  Body b({leg(2), leg(7), {{5, 4, 9, 7, 7, 12}}, foot_of_leg(0, 5), foot_of_leg(7, 5)}, {on_left_leg});
+  const Index c = b.belt({{{2, 4}}, {{10, 4}}, {{10, 7}}, {{2, 7}}}, 9);
+  ASSERT_NEAR(b.length(c), 22, 1e-12);
+  const Barrier over = b.barrier(c);
+  EXPECT_NEAR(over.length, 20 + 2 * std::sqrt(5), 1e-9);
+  EXPECT_EQ(over.end, Barrier_end::POINT);
+  EXPECT_EQ(over.vertex, b.vertex(on_left_leg.at));
+}
+
+// A plate with a low spike, below which the rest of the tube is so short that the first boundary of the sweep lies behind all of it.
+TEST(Barriers, AtTheEndOfAThinPlateABeltSlidesOff)
+{
+  Body b({above, tube}, {{{{3, 1. / 512, 6. / 128}}, 1, -2. / 512}}, {{1, 1. / 512, 1. / 128}});
+  const Index c = b.belt(around_tube, 7);
+  ASSERT_NE(c, null_index);
+  ASSERT_NEAR(b.length(c), 8 * (1 + 1. / 512), 1e-12);
+  const Barrier over = b.barrier(c);
+  EXPECT_NEAR(over.length, b.length(c), 1e-9);
+  EXPECT_EQ(over.end, Barrier_end::POINT);
+  ASSERT_NE(over.vertex, null_index);
+  EXPECT_LT(b.surface().point(over.vertex).z(), 7. / 128);
 }
 
 } // namespace test_barriers
