@@ -41,7 +41,7 @@ struct Flat_surface
 class Builder
 {
 public:
-  // `size` of the squares of rows, whose vertices are moved by up to 0.3 of it along the
+  // `size` of the squares of rows, whose vertices are moved by up to 0.2 of it along the
   // sweep, and across it if `moves_x`, but for those of row 0
   // and of the two beside it.
   Builder(unsigned seed, double size, bool moves_x) : m_random(seed), m_size(size), m_moves_x(moves_x) {}
@@ -75,7 +75,7 @@ public:
 
 private:
   std::mt19937 m_random;
-  std::uniform_real_distribution<double> m_uniform{-0.3, 0.3};
+  std::uniform_real_distribution<double> m_uniform{-0.2, 0.2};
   double m_size;
   bool m_moves_x;
   std::map<std::array<int, 3>, std::size_t> m_vertices; // the first number is that of the layer, or 0 for all
@@ -322,7 +322,7 @@ TEST(DistanceFront, DistancesOfAFlatTubeAreThoseOfParallelLines)
           before = front.distance(v, side);
           ++number;
         }
-        EXPECT_LT(error, 0.2);
+        EXPECT_LT(error, 0.15);
         EXPECT_EQ(number, static_cast<std::size_t>(std::count_if(surface.heights.begin(), surface.heights.end(),
                                                                  [&](double h) { return sign * (h - height) > 0; })));
       }
