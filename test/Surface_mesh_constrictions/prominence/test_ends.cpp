@@ -322,4 +322,24 @@ TEST(Ends, OfTwoEqualNecksOneDominatesTheOther)
   }
 }
 
+// Behind a bulge of radius 1.005 there is a neck of 0.995, and far behind that a long one of 1.003, longer than the
+// first one. All of that is within three hundredths of its length.
+TEST(Ends, AShallowNeckIsFoundInFrontOfALongOne)
+{
+  std::vector<double> radii = {0.5, 1.2, 1, 1.005, 0.995, 1.01};
+  for(int i = 1; i <= 6; ++i)
+    radii.push_back(1.01 - i * 0.007 / 6);
+  for(int i = 1; i <= 6; ++i)
+    radii.push_back(1.003 + i * 0.009 / 6);
+  radii.push_back(0.3);
+  const Necks n = necks(radii, {2});
+  ASSERT_EQ(n.found.size(), 2u);
+  EXPECT_NEAR(n.found[0].length / n.found[1].length, 0.995, 1e-4);
+  EXPECT_NEAR(n.entries[0].prominence, 1.012 / 0.995 - 1, 0.003);
+  EXPECT_FALSE(n.entries[0].dominated_by);
+  EXPECT_NEAR(n.entries[1].prominence, 0.005, 0.003);
+  ASSERT_TRUE(n.entries[1].dominated_by);
+  EXPECT_EQ(*n.entries[1].dominated_by, 0u);
+}
+
 } // namespace test_ends

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/test_meshes.h"
 
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Boundary_tightener.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Descents.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/vertex_passes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 
 #include <CGAL/number_utils.h>
 
@@ -200,6 +202,29 @@ TEST(Descents, LeadOverLowPassesToACurveThatHasNone)
   }
   EXPECT_GT(points, 0u);
   EXPECT_GT(far, 0u);
+}
+
+TEST(Descents, ACurveBehindABarrierHasNone)
+{
+  std::size_t number = 0;
+  for(unsigned seed = 1; seed < 4; ++seed)
+  {
+    const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::chain_of_necks(0.03, seed));
+    const internal::Corner_angles angles(pm);
+    const internal::Edge_lengths lengths(pm);
+    internal::Barrier_search search(pm, lengths, angles);
+    internal::Descents descents(search.tightener(), angles);
+    for(Index c : curves_of_rings(search.tightener(), 60, 20))
+    {
+      const internal::Barrier b = search.search_vertices(search.tightener().arcs(c), true, infinity);
+      if(b.end != internal::Barrier_end::CURVE)
+        continue;
+      EXPECT_LE(search.tightener().length(b.curve), search.tightener().length(c) * (1 + 1e-9));
+      EXPECT_EQ(descents.descent(b.curve), nullptr);
+      ++number;
+    }
+  }
+  EXPECT_GT(number, 5u);
 }
 
 } // namespace test_vertex_passes
