@@ -238,4 +238,108 @@ TEST(Ends, ACurveThatSlidesToOneThatIsDroppedIsFollowedToItsEnd)
   EXPECT_GT(entry.slides_off, static_cast<Index>(4 * per_radius * around));
 }
 
+// Some necks of a surface of revolution, the others that they slide to, and what is told of all of them.
+struct Necks
+{
+  std::vector<internal::Found_curve> found;
+  std::vector<internal::Hierarchy_entry> entries;
+  std::size_t passed; // number of seeds of those that are skipped
+};
+
+// The surface has these radii at equal distances; `necks` are places among them.
+Necks necks(const std::vector<double>& radii, const std::vector<int>& places)
+{
+  const int around = 24, per_radius = 8;
+  const auto radius = [&](double s) {
+    const double x = s * static_cast<double>(radii.size() - 1);
+    const std::size_t i = (std::min)(static_cast<std::size_t>(x), radii.size() - 2);
+    return radii[i] + (x - static_cast<double>(i)) * (radii[i + 1] - radii[i]);
+  };
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(
+      test_meshes::revolution(radius, 3. * static_cast<double>(radii.size() - 1),
+                              per_radius * static_cast<int>(radii.size() - 1), around, 0, 0));
+  internal::Curve_network network(pm, false);
+  Necks result;
+  std::vector<SMC::Refined_curve> refined;
+  std::vector<SMC::Seed_curve> seeds;
+  for(int place : places)
+  {
+    std::vector<Index> ring;
+    for(int j = 0; j < around; ++j)
+      ring.push_back(static_cast<Index>(place * per_radius * around + j));
+    const Index c = network.add_curve(seeds.size(), ring);
+    result.found.push_back({c, network.length(c), 0, SMC::Certificate()});
+    refined.push_back({internal::curve_of_arcs(arcs_of_curve(network, c)), {seeds.size()}, false});
+    seeds.push_back({0, ring, SMC::Seed_origin::USER});
+  }
+  const std::deque<internal::Measuring_level> no_levels;
+  const internal::Surface_sides sides(pm);
+  internal::Detected_hierarchy hierarchy(pm, no_levels, sides, network);
+  result.passed =
+      hierarchy.close<CGAL::Sequential_tag>(result.found, refined, seeds, [](std::vector<internal::Found_curve>&) {});
+  result.entries = hierarchy.entries(result.found);
+  return result;
+}
+
+// Behind the bulge of 0.7 there is a neck of radius 0.4, which a bulge of 0.402 parts from one of 0.3.
+TEST(Ends, ANeckThatHardlyHoldsIsSkipped)
+{
+  const Necks n = necks({0.5, 1, 0.5, 0.7, 0.4, 0.402, 0.3, 0.9, 0.5}, {2});
+  ASSERT_EQ(n.found.size(), 2u);
+  EXPECT_EQ(n.passed, 1u);
+  EXPECT_NEAR(n.found[0].length / n.found[1].length, 0.3 / 0.5, 1e-3);
+  EXPECT_NEAR(n.entries[0].prominence, 0.9 / 0.3 - 1, 0.05);
+  EXPECT_FALSE(n.entries[0].dominated_by);
+  EXPECT_TRUE(n.entries[0].has_end);
+  EXPECT_NE(n.entries[0].slides_off, null_index);
+  EXPECT_NEAR(n.entries[1].prominence, 0.7 / 0.5 - 1, 0.03);
+  ASSERT_TRUE(n.entries[1].dominated_by);
+  EXPECT_EQ(*n.entries[1].dominated_by, 0u);
+  EXPECT_TRUE(n.entries[1].has_end);
+}
+
+// Of two necks of radius 0.4 each slides to the other one over the bulge of 0.7, so one stands for both.
+TEST(Ends, OfTwoEqualNecksOneDominatesTheOther)
+{
+  for(const std::vector<int>& places : {std::vector<int>{2, 4}, {4, 2}, {2}, {4}})
+  {
+    const Necks n = necks({0.5, 1, 0.4, 0.7, 0.4, 1, 0.5}, places);
+    if(places.size() == 1 && n.found.size() == 1) // the one that stands for both does not slide to the other one
+    {
+      EXPECT_NEAR(n.entries[0].prominence, 1 / 0.4 - 1, 0.05);
+      EXPECT_NE(n.entries[0].slides_off, null_index);
+      continue;
+    }
+    ASSERT_EQ(n.found.size(), 2u);
+    EXPECT_EQ(n.passed, 0u);
+    const std::size_t first = n.entries[0].dominated_by ? 1 : 0, other = 1 - first;
+    EXPECT_FALSE(n.entries[first].dominated_by);
+    EXPECT_NE(n.entries[first].slides_off, null_index);
+    EXPECT_NEAR(n.entries[first].prominence, 1 / 0.4 - 1, 0.05);
+    ASSERT_TRUE(n.entries[other].dominated_by);
+    EXPECT_EQ(*n.entries[other].dominated_by, first);
+    EXPECT_NEAR(n.entries[other].prominence, 0.7 / 0.4 - 1, 0.03);
+  }
+}
+
+// Behind a bulge of radius 1.005 there is a neck of 0.995, and far behind that a long one of 1.003, longer than the
+// first one. All of that is within three hundredths of its length.
+TEST(Ends, AShallowNeckIsFoundInFrontOfALongOne)
+{
+  std::vector<double> radii = {0.5, 1.2, 1, 1.005, 0.995, 1.01};
+  for(int i = 1; i <= 6; ++i)
+    radii.push_back(1.01 - i * 0.007 / 6);
+  for(int i = 1; i <= 6; ++i)
+    radii.push_back(1.003 + i * 0.009 / 6);
+  radii.push_back(0.3);
+  const Necks n = necks(radii, {2});
+  ASSERT_EQ(n.found.size(), 2u);
+  EXPECT_NEAR(n.found[0].length / n.found[1].length, 0.995, 1e-4);
+  EXPECT_NEAR(n.entries[0].prominence, 1.012 / 0.995 - 1, 0.003);
+  EXPECT_FALSE(n.entries[0].dominated_by);
+  EXPECT_NEAR(n.entries[1].prominence, 0.005, 0.003);
+  ASSERT_TRUE(n.entries[1].dominated_by);
+  EXPECT_EQ(*n.entries[1].dominated_by, 0u);
+}
+
 } // namespace test_ends

@@ -5,7 +5,6 @@
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Zeroed_array.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
 #include <algorithm>
@@ -20,8 +19,8 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Distances of vertices from a closed curve on its two sides, the nearest vertex first: fast marching (Kimmel and
-// Sethian 1998). The fronts do not cross the curve. Where a front comes through an edge so that it misses the third
-// corner of the face, the faces behind are unfolded as far as the corner that it hits.
+// Sethian 1998). The fronts do not cross the curve. A front is taken to be straight in each face; where it comes through
+// an edge so that it misses the third corner of the face, that corner gets its distance through or along another edge.
 //
 // The two sides of a curve that does not separate meet. A vertex then belongs to the side that reaches it first, if
 // both are settled in the order of their distances; the other side still measures its distance there, but goes no
@@ -171,11 +170,13 @@ private:
       pass_edge(last, side);
   }
 
-  // A straight front comes through the edge of h, whose ends are settled, into the face of h. Its rays are followed to
-  // the first corner that one of them hits, through eight more faces at most.
+  // A straight front comes through the edge of h, whose ends are settled, into the face of h. If one of its rays hits
+  // the third corner, offers the corner its distance. If all miss it, the corner is not obtuse: it would be nearer to
+  // the first end of the edge than the second end is, and settled before that.
   void pass_edge(Index h, std::size_t side)
   {
-    if(is_barred(m_pm.face(h)) || is_settled(m_pm.source(m_pm.prev(h)), side))
+    const Index corner = m_pm.source(m_pm.prev(h));
+    if(is_barred(m_pm.face(h)) || is_settled(corner, side))
       return;
     const Zeroed_array<Vertex>& vertices = m_vertices[side];
     const Index p = m_pm.source(h), q = m_pm.target(h);
@@ -183,31 +184,13 @@ private:
     if(!(std::abs(s) < 1))
       return;
     const Vector2 direction = {s, std::sqrt(1 - s * s)}; // of the rays; the edge runs along the x axis
-
     const double to_q = m_lengths[Progressive_mesh::next(h)], to_p = m_lengths[Progressive_mesh::prev(h)];
-    Portal portal = {{0, 0}, {length, 0}}; // the source and the target of h
     Vector2 apex;
     apex.x = (length * length + to_p * to_p - to_q * to_q) / (2 * length);
     apex.y = std::sqrt((std::max)(to_p * to_p - apex.x * apex.x, 0.));
-    for(int i = 0;; ++i)
-    {
-      const double foot = apex.x - apex.y * direction.x / direction.y;
-      if(foot >= 0 && foot <= length)
-      {
-        const Index corner = m_pm.source(m_pm.prev(h));
-        if(!is_settled(corner, side))
-          offer(corner, vertices[p].distance + dot(direction, apex), side);
-        return;
-      }
-      // where the corner is not obtuse the front comes to it through another edge
-      if(i == 0 && dot(portal.left - apex, portal.right - apex) >= 0)
-        return;
-      (foot < 0 ? portal.left : portal.right) = apex;
-      h = m_pm.opposite(foot < 0 ? m_pm.next(h) : m_pm.prev(h));
-      if(i == 8 || is_barred(m_pm.face(h)))
-        return;
-      apex = unfold_apex(m_pm, m_pm.opposite(h), portal);
-    }
+    const double foot = apex.x - apex.y * direction.x / direction.y; // where the ray comes from
+    if(foot >= 0 && foot <= length)
+      offer(corner, vertices[p].distance + dot(direction, apex), side);
   }
 
   const Progressive_mesh& m_pm;
