@@ -43,6 +43,7 @@ done
 "llvm-profdata-${clang_version%%.*}" merge -sparse "${profiles[@]}" -o "$out/all.profdata"
 internal=include/CGAL/Surface_mesh_constrictions/internal
 : > "$out/lines.txt"
+exec 2> "$out/llvm-cov.log" # warns of small functions that the programs compile differently
 for room in tools/constrictions/input "$internal/exact" "$internal/verify"; do
   mapfile -t sources < <(find "$PWD/$room" -name '*.cpp' -o -name '*.h' | sort)
   echo "$room"
