@@ -27,23 +27,14 @@ scripts/setup.sh "libclang-rt-${clang_version%%.*}-dev"
 cmake --preset clang-fuzzing
 cmake --build --preset clang-fuzzing --parallel "$(scripts/number_of_jobs.sh 3900)" --target "${@/#/fuzz_}"
 
-# The comments stay, and the inputs that follow one: these have failed once.
+# Before the marker the comments and the inputs stay: these have failed once, or were made by hand.
 pack() { # FOLDER CORPUS
   python3 - "$@" << 'END'
 import pathlib, sys
-corpus = pathlib.Path(sys.argv[2])
-kept, seen, is_kept = [], set(), False
-for line in corpus.read_text().split("\n") if corpus.exists() else []:
-    if line.startswith("#"):
-        kept.append(line)
-    elif line and is_kept:
-        kept.append(line)
-        seen.add(line)
-    is_kept = line.startswith("#") and line != "# reaches what the others do not:"
-    if line == "# reaches what the others do not:":
-        kept.pop()
+corpus, marker = pathlib.Path(sys.argv[2]), "# reaches what the others do not:"
+kept = (corpus.read_text() if corpus.exists() else "").partition(marker)[0].splitlines()
 found = sorted((p.read_bytes().hex() for p in pathlib.Path(sys.argv[1]).iterdir()), key=lambda x: (len(x), x))
-corpus.write_text("\n".join(kept + ["# reaches what the others do not:"] + [x for x in found if x not in seen]) + "\n")
+corpus.write_text("\n".join(kept + [marker] + [x for x in found if x not in kept]) + "\n")
 END
 }
 
@@ -65,7 +56,7 @@ for target in "$@"; do
   [ ! -f "test/fuzz/$target.dict" ] || dictionary=("-dict=test/fuzz/$target.dict")
   # Of thousands of short inputs a second, the statistics of features took half of the time.
   if ! "build/clang-fuzzing/test/fuzz/fuzz_$target" -max_total_time=$((seconds / $#)) -max_len="$longest" -timeout=60 \
-    -entropic=0 "${dictionary[@]}" -rss_limit_mb=3000 -print_final_stats=1 -artifact_prefix="$failures/$target-" "$folder" > "$log" 2>&1; then
+    -entropic=0 -reload=0 -print_funcs=0 "${dictionary[@]}" -rss_limit_mb=3000 -print_final_stats=1 -artifact_prefix="$failures/$target-" "$folder" > "$log" 2>&1; then
     status=1
     grep -E 'FAILURE|ERROR|SUMMARY' "$log" || true
     for input in "$failures/$target"-*; do
@@ -74,7 +65,8 @@ for target in "$@"; do
     continue
   fi
   grep -E '^stat::number_of_executed_units|curves: ' "$log" | sed "s/^/$target: /"
-  "build/clang-fuzzing/test/fuzz/fuzz_$target" -merge=1 -timeout=60 -rss_limit_mb=3000 -max_len="$longest" "$least" \
+  # An input that only runs a line more often than the others need not be kept.
+  "build/clang-fuzzing/test/fuzz/fuzz_$target" -merge=1 -use_counters=0 -timeout=60 -rss_limit_mb=3000 -max_len="$longest" "$least" \
     "$folder" > build/fuzz/merge.log 2>&1
   pack "$least" "test/fuzz/corpus/$target.hex"
 done

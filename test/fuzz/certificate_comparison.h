@@ -42,11 +42,11 @@ inline Mesh mesh_of(const Body& body)
   return mesh;
 }
 
-// How many curves were compared, and how, and on how many meshes the default call was compared with the selection of
-// all.
+// How many curves were compared, and how; how many the second witness was asked about; and on how many meshes the
+// default call was compared with the selection of all.
 struct Tally
 {
-  std::size_t meshes = 0, certified = 0, refused = 0, open = 0, compared_selections = 0;
+  std::size_t meshes = 0, certified = 0, refused = 0, open = 0, witnessed = 0, compared_selections = 0;
 };
 
 // Certificates of curves on a body, and what the oracle says of them.
@@ -57,8 +57,8 @@ public:
     : m_mesh(mesh), m_oracle(body), m_tally(tally)
   {}
 
-  // Compares a certificate with the oracle, and its place with the evidence there.
-  void compare(const Constriction& curve, const SMC::Certificate& certificate)
+  // Compares a certificate with the oracle, and its place with the evidence there. Returns what the oracle says.
+  Oracle::Answer compare(const Constriction& curve, const SMC::Certificate& certificate)
   {
     typedef SMC::Certificate_verdict V;
     const Oracle::Answer answer = m_oracle.examine(nodes_of(curve));
@@ -67,7 +67,7 @@ public:
       ++m_tally.open;
       if(certificate.is_certified())
         fail("certified, but the oracle does not know: " + text_of(certificate));
-      return;
+      return answer;
     }
     ++(certificate.is_certified() ? m_tally.certified : m_tally.refused);
     const std::pair<std::size_t, bool> place = {certificate.location, certificate.side == SMC::Curve_side::LEFT};
@@ -110,6 +110,7 @@ public:
       if(std::abs(curve.length() - length) > 1e-9 * length)
         fail("the length is " + std::to_string(curve.length()) + " instead of " + std::to_string(length));
     }
+    return answer;
   }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve_reader_target.h"
 #include "fuzz_main.h"
-#include "reader_targets.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +8,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   static fuzz::Tally tally;
-  fuzz::or_abort([&] { fuzz::run_curve_reader_target(data, size, tally); });
+  static fuzz::Curve_reader_target target(tally);
+  fuzz::or_abort([&] { target.run(data, size); });
   return 0;
 }

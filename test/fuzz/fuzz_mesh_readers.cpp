@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz_main.h"
-#include "reader_targets.h"
+#include "mesh_reader_target.h"
 
 #include <cstddef>
 #include <cstdint>

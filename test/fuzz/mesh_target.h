@@ -7,6 +7,7 @@
 #include "bodies.h"
 #include "certificate_comparison.h"
 #include "failure.h"
+#include "second_witness.h"
 
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/certify_constriction.h>
@@ -41,7 +42,8 @@ struct Statistics_taker : public SMC::Detection_visitor_base
 class Mesh_target
 {
 public:
-  Mesh_target(const Body& body, Tally& tally) : m_mesh(mesh_of(body)), m_comparison(body, m_mesh, tally), m_tally(tally)
+  Mesh_target(const Body& body, Tally& tally)
+    : m_mesh(mesh_of(body)), m_comparison(body, m_mesh, tally), m_witness(m_mesh, tally), m_tally(tally)
   {}
 
   // Compares the constrictions of the mesh, closed paths of edges that the bytes describe, what these are tightened to,
@@ -54,7 +56,7 @@ public:
     std::vector<Constriction> curves;
     for(const Constriction& c : all)
     {
-      m_comparison.compare(c, c.certificate());
+      compare(c, c.certificate());
       if(!(c.length() > 0))
         fail("a constriction has the length " + std::to_string(c.length()));
       if(curves.size() < 8)
@@ -71,11 +73,11 @@ public:
       for(Mesh::Vertex_index v : loop)
         data.locations.push_back({true, v, Mesh::Halfedge_index(), 0});
       curves.emplace_back(data);
-      m_comparison.compare(curves.back(), certify_constriction(m_mesh, curves.back()));
+      compare(curves.back(), certify_constriction(m_mesh, curves.back()));
       const SMC::Tightened_curve<Mesh> tightened = SMC::tighten_closed_curve(m_mesh, loop);
       if(tightened.verdict == SMC::Tightening_verdict::CLOSED_GEODESIC)
       {
-        m_comparison.compare(tightened.curve, tightened.curve.certificate());
+        compare(tightened.curve, tightened.curve.certificate());
         if(tightened.curve.length() > length_of(loop) * (1 + 1e-9))
           fail("a loop was tightened to a longer curve");
         curves.push_back(tightened.curve);
@@ -85,11 +87,17 @@ public:
     {
       const Constriction& c = curves[static_cast<std::size_t>(bytes.next()) % curves.size()];
       if(const std::optional<Constriction> changed = beside_pivot(c, bytes.next(), bytes.flag()))
-        m_comparison.compare(*changed, certify_constriction(m_mesh, *changed));
+        compare(*changed, certify_constriction(m_mesh, *changed));
     }
   }
 
 private:
+  // with the oracle and with the second witness
+  void compare(const Constriction& curve, const SMC::Certificate& certificate)
+  {
+    m_witness.compare(curve, m_comparison.compare(curve, certificate));
+  }
+
   double length_of(const std::vector<Mesh::Vertex_index>& loop) const
   {
     double sum = 0;
@@ -234,6 +242,7 @@ private:
 
   const Mesh m_mesh;
   Certificate_comparison m_comparison;
+  Second_witness m_witness;
   Tally& m_tally;
 };
 

@@ -64,6 +64,7 @@ public:
     bool repeats_vertex = false;                         // passes through a vertex twice
     bool crosses = false;                                // in a face or on an edge
     Real length = 0;
+    Real least_angle = 100; // on a side of the curve, if it is straight between its vertices
   };
 
   explicit Oracle(const Body& body) : m_body(body), m_rings(body.points.size())
@@ -95,12 +96,19 @@ public:
       const Arc &before = (*arcs)[(i + arcs->size() - 1) % arcs->size()], &after = (*arcs)[i];
       const std::array<std::optional<Real>, 2> angles = side_angles(after.from, after.out, before.back);
       for(std::size_t side = 0; side < 2; ++side)
+      {
+        if(angles[side])
+          answer.least_angle = (std::min)(answer.least_angle, *angles[side]);
         if(turns_back(after.from, after.out, before.back))
+        {
           answer.small_angles.emplace(after.node, side == 0); // either may be called the side of the angle of zero
+          answer.least_angle = 0;
+        }
         else if(!angles[side] || *angles[side] > pi() + epsilon())
           is_strict[side] = true;
         else if(*angles[side] < pi() - epsilon())
           answer.small_angles.emplace(after.node, side == 0);
+      }
     }
     if(!answer.small_angles.empty())
     {

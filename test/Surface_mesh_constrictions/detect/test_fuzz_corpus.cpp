@@ -5,6 +5,7 @@
 
 #include "fuzz/corpus.h"
 #include "fuzz/mesh_target.h"
+#include "fuzz/second_witness.h"
 
 #include <gtest/gtest.h>
 
@@ -87,6 +88,29 @@ TEST(FuzzOracle, ContradictsAWrongCertificate)
   EXPECT_EQ(tally.certified, 2u);
 }
 
+// A geodesic and a curve that bends, both of pivots, are told from each other.
+TEST(FuzzSecondWitness, ContradictsAWrongAnswer)
+{
+  const Soup soup = exact_models::waist(1);
+  const fuzz::Body body = body_of(soup);
+  const fuzz::Mesh mesh = fuzz::mesh_of(body);
+  fuzz::Tally tally;
+  fuzz::Second_witness witness(mesh, tally);
+  const auto narrow = exact_models::ring(exact_models::square(), 1, 5),
+             wide = exact_models::ring(exact_models::square(), 3, 0);
+  const fuzz::Oracle::Answer is_geodesic = answer(soup, narrow), bends = answer(soup, wide);
+  EXPECT_LT(bends.least_angle, 3);
+  EXPECT_GT(is_geodesic.least_angle, 3.2);
+  const auto curve_of = [&](const std::vector<Position>& positions) {
+    return exact_models::curve_of_loop(mesh, exact_models::vertices_at(soup, positions));
+  };
+  EXPECT_NO_THROW(witness.compare(curve_of(narrow), is_geodesic));
+  EXPECT_NO_THROW(witness.compare(curve_of(wide), bends));
+  EXPECT_THROW(witness.compare(curve_of(narrow), bends), fuzz::Failure);
+  EXPECT_THROW(witness.compare(curve_of(wide), is_geodesic), fuzz::Failure);
+  EXPECT_EQ(tally.witnessed, 4u);
+}
+
 TEST(FuzzCorpus, TheOracleAgreesOnAllMeshes)
 {
   fuzz::Tally tally;
@@ -99,6 +123,7 @@ TEST(FuzzCorpus, TheOracleAgreesOnAllMeshes)
   EXPECT_GT(tally.meshes, 0u);
   EXPECT_GT(tally.certified, tally.open);
   EXPECT_GT(tally.refused, tally.open);
+  EXPECT_GT(tally.witnessed, tally.meshes);
   EXPECT_GT(2 * tally.compared_selections, tally.meshes);
 }
 

@@ -209,4 +209,35 @@ TEST(Triangulation, polygons_whose_normal_is_no_double_end)
   EXPECT_EQ(SMC::internal::triangulate_polygon(large, allowed).size(), 3u);
 }
 
+// The normal is a double, but its square is not. CGAL made an exact number of what is infinite, which ends a program.
+TEST(Triangulation, polygons_whose_normal_has_no_square_end)
+{
+  const auto allowed = [](std::size_t, std::size_t) { return true; };
+  const std::vector<Point> large = {Point(1, 0, 0), Point(1, 0, 1), Point(0, 0, 0), Point(0, 1e308, 0), Point(1, 1, 0)};
+  EXPECT_EQ(SMC::internal::delaunay_triangulation(large).size(), 3u);
+  EXPECT_EQ(SMC::internal::triangulate_polygon(large, allowed).size(), 3u);
+}
+
+// Products of three and four coordinates would overflow, or be zero.
+TEST(Triangulation, the_unit_of_a_polygon_does_not_matter)
+{
+  const auto allowed = [](std::size_t, std::size_t) { return true; };
+  std::vector<Point> arrow = {Point(0, 0, 0), Point(4, -1, 0), Point(1, 0, 0), Point(4, 1, 0)}, hook = arrow;
+  hook.insert(hook.begin() + 2, Point(2, 0, 0.5));
+  for(const std::vector<Point>& polygon : {arrow, hook})
+  {
+    const auto triangles = SMC::internal::triangulate_polygon(polygon, allowed);
+    for(int exponent : {-1000, -400, -40, 40, 400, 1000})
+    {
+      std::vector<Point> in_other_unit;
+      for(const Point& p : polygon)
+        in_other_unit.emplace_back(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                                   std::ldexp(p.z(), exponent));
+      EXPECT_EQ(SMC::internal::triangulate_polygon(in_other_unit, allowed), triangles) << exponent;
+    }
+  }
+  EXPECT_EQ(SMC::internal::triangulate_polygon(arrow, allowed)[0], (SMC::internal::Polygon_triangle{{0, 1, 2}}))
+      << "the diagonal from the reflex corner";
+}
+
 } // namespace test_triangulation

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/detect.h"
 #include "include/exact_models.h"
 #include "include/geodesic_check.h"
 #include "include/random_loops.h"
@@ -527,6 +528,34 @@ TEST(Tightening, NeverLengthensAndEndsInASimpleClosedGeodesic)
     geodesic_check::expect_closed_geodesic(mesh, result.curve);
   }
   EXPECT_GT(geodesics, 10u);
+}
+
+// A torus that is stretched so far that its edges are 2^60 times as long as the curves around its tube, which lie in
+// planes across: the ends of the edges that these cross are rounded to much more than their length. Detection finds the
+// same curves.
+TEST(Tightening, LengthsAreAccurateWhereTheEdgesThatAreCrossedAreFarLonger)
+{
+  test_meshes::Soup soup = test_meshes::torus(0.05, 5);
+  for(test_meshes::Position& p : soup.points)
+    p[0] = std::ldexp(p[0], 60);
+  const Mesh mesh = test_meshes::make_mesh(soup);
+  const auto detected = detection::detect_all_from_triangles(mesh);
+  const std::size_t around = 14;
+  std::size_t short_curves = 0;
+  for(std::size_t ring = 0; ring < soup.points.size(); ring += around)
+  {
+    Loop loop;
+    for(std::size_t i = 0; i < around; ++i)
+      loop.push_back(Mesh::Vertex_index(static_cast<Mesh::size_type>(ring + i)));
+    const auto result = tighten_closed_curve(mesh, loop);
+    if(result.verdict != Tightening_verdict::CLOSED_GEODESIC || result.curve.length() > 100)
+      continue;
+    ++short_curves;
+    EXPECT_TRUE(std::any_of(detected.begin(), detected.end(), [&](const auto& c) {
+      return std::abs(c.length() - result.curve.length()) <= 1e-12 * c.length();
+    })) << result.curve.length();
+  }
+  EXPECT_GT(short_curves, 0u);
 }
 
 TEST(Tightening, ATightCurveDoesNotMove)

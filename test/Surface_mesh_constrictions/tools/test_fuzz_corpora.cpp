@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that fuzzing has found: each is read, or refused with one line. scripts/fuzz.sh goes on from here.
 #include "fuzz/corpus.h"
-#include "fuzz/reader_targets.h"
+#include "fuzz/curve_reader_target.h"
+#include "fuzz/mesh_reader_target.h"
 
 #include <gtest/gtest.h>
 
@@ -26,10 +27,11 @@ TEST(FuzzCorpora, MeshFilesAreReadOrRefused)
 TEST(FuzzCorpora, FilesOfCurvesLoopsAndLabelsAreReadOrRefused)
 {
   fuzz::Tally tally;
+  fuzz::Curve_reader_target target(tally);
   std::size_t read = 0, number = 0;
   for(const std::vector<std::uint8_t>& input : fuzz::read_corpus(CONSTRICTIONS_FUZZ_CORPUS_DIR "/curve_readers.hex"))
   {
-    EXPECT_NO_THROW(read += fuzz::run_curve_reader_target(input.data(), input.size(), tally)) << "input " << number;
+    EXPECT_NO_THROW(read += target.run(input.data(), input.size())) << "input " << number;
     ++number;
   }
   EXPECT_GT(read, 0u);

@@ -96,7 +96,7 @@ private:
   void measure(const std::vector<Arc>& loop, Result& result) const
   {
     const Coordinate_unit& unit = m_imported.unit();
-    const double length = total_length(loop);
+    const double length = accurate_length(m_with, loop);
     const std::vector<Trace_point> points = accurate_trace(m_with, loop);
     const Parting parting = part(points);
     const Curve_measures measures = curve_measures(m_with, points);

@@ -171,8 +171,11 @@ inline void merge_coinciding(Curve_network& network, std::vector<Found_curve>& f
     return *c.shape;
   };
   std::vector<Candidate> candidates;
+  // the shapes of equal curves coincide, unless rounding is as great as the curves
+  Distinct_curves distinct(network);
   for(std::size_t i = 0; i < found.size(); ++i)
-    candidates.push_back({found[i], i >= number_distinct, std::nullopt});
+    if(distinct.insert(found[i].curve) == found[i].curve)
+      candidates.push_back({found[i], i >= number_distinct, std::nullopt});
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.found.length < b.found.length; });
   std::vector<std::size_t> kept;

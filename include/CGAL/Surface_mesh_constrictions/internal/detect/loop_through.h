@@ -87,7 +87,7 @@ Loop_through_locations<TriangleMesh> loop_through(const Prepared_surface<Triangl
   }
 
   Loop_through_locations<TriangleMesh> result;
-  result.length = prepared.imported().unit().restored(total_length(loop));
+  result.length = prepared.imported().unit().restored(accurate_length(pm, loop));
   result.is_simple = is_simple(pm, trace(pm, loop));
   const Face_locations<TriangleMesh> face_locations(prepared.imported(), prepared.surface());
   std::size_t arc = 0;

@@ -52,7 +52,6 @@ public:
         location.halfedge = typename Result::halfedge_descriptor();
         const Side_angles angles = side_angles(m_pm, arcs[(arc + arcs.size() - 1) % arcs.size()], arcs[arc]);
         data.pivots.push_back({location.vertex, data.locations.size(), angles.left, angles.right});
-        data.length += arcs[arc].length;
         ++arc;
       }
       else
@@ -70,7 +69,7 @@ public:
       data.seeds.push_back(std::move(seed));
     }
     const Coordinate_unit& unit = m_imported.unit();
-    const double length = data.length;
+    const double length = accurate_length(m_pm, arcs);
     data.length = unit.restored(length);
     const Parting parting = m_sides.part(points);
     data.separating = parting.is_separating();

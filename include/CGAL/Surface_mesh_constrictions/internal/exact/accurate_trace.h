@@ -227,6 +227,15 @@ inline double accurate_length(const Progressive_mesh& pm, const Arc& arc)
   return accurate_parameters(pm, arc).length;
 }
 
+// Of all arcs of a curve. Costs as much as accurate_trace().
+inline double accurate_length(const Progressive_mesh& pm, const std::vector<Arc>& curve)
+{
+  double length = 0;
+  for(const Arc& arc : curve)
+    length += accurate_length(pm, arc);
+  return length;
+}
+
 } // namespace internal
 } // namespace Surface_mesh_constrictions
 } // namespace CGAL

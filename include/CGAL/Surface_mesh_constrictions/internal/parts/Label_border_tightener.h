@@ -148,7 +148,7 @@ private:
     for(const Trace_point& p : accurate_trace(m_pm, arcs))
       courses.tight.push_back(p.is_pivot() ? pivot(p.pivot) : crossing(p));
     courses.tight.push_back(pivot(vertices.back()));
-    courses.length = m_imported.unit().restored(total_length(arcs));
+    courses.length = m_imported.unit().restored(accurate_length(m_pm, arcs));
   }
 
   double edge_length(Index h) const { return norm(vector(m_pm.point(m_pm.source(h)), m_pm.point(m_pm.target(h)))); }

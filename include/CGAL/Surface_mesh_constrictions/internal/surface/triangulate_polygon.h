@@ -26,6 +26,26 @@ typedef std::array<std::size_t, 3> Polygon_triangle; // places in the polygon, i
 typedef Exact_predicates_inexact_constructions_kernel::Point_3 Polygon_point;
 typedef Exact_predicates_inexact_constructions_kernel::Vector_3 Polygon_vector;
 
+// The exponent of the power of two that is greater than all coordinates of points or vectors, and at most twice as great
+// as the largest.
+template <class Coordinates>
+int exponent_of_largest(const std::vector<Coordinates>& all)
+{
+  double largest = 0;
+  for(const Coordinates& c : all)
+    largest = (std::max)({largest, std::abs(c.x()), std::abs(c.y()), std::abs(c.z())});
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return exponent;
+}
+
+// A point or vector times a power of two: nothing is rounded, but for coordinates that are nearly zero beside others.
+template <class Coordinates>
+Coordinates scaled(const Coordinates& c, int exponent)
+{
+  return Coordinates(std::ldexp(c.x(), exponent), std::ldexp(c.y(), exponent), std::ldexp(c.z(), exponent));
+}
+
 // Of a polygon that need not be plane: the sum of the cross products of its edges.
 inline Polygon_vector polygon_normal(const std::vector<Polygon_point>& points)
 {
@@ -56,7 +76,8 @@ inline std::vector<Polygon_triangle> delaunay_triangulation(const std::vector<Po
      !std::isfinite(normal.z()))
     return result;
   const std::size_t n = points.size();
-  Triangulation triangulation{Traits(normal)};
+  // CGAL multiplies the normal by itself, and an exact number that is made of the infinite one ends the program
+  Triangulation triangulation{Traits(scaled(normal, -exponent_of_largest(std::vector<Polygon_vector>{normal})))};
   std::vector<typename Triangulation::Vertex_handle> corners;
   try
   {
@@ -156,13 +177,18 @@ std::vector<Polygon_triangle> cut_off_ears(const std::vector<Polygon_point>& poi
 // whether points i and j may be joined by a diagonal: two edges between the same two vertices are no mesh. A diagonal
 // that is not allowed is used only if no way is found without. Quadrangles are cut by the rule of CGAL's
 // `triangulate_face()`, and other polygons by a constrained Delaunay triangulation; where there is none, or it needs a
-// diagonal that is not allowed, ears are cut off.
+// diagonal that is not allowed, ears are cut off. The unit of length does not matter, as products of coordinates
+// neither overflow nor vanish.
 template <class IsAllowed>
-std::vector<Polygon_triangle> triangulate_polygon(const std::vector<Polygon_point>& points, IsAllowed is_allowed)
+std::vector<Polygon_triangle> triangulate_polygon(const std::vector<Polygon_point>& polygon, IsAllowed is_allowed)
 {
-  const std::size_t n = points.size();
+  const std::size_t n = polygon.size();
   if(n == 3)
     return {{{0, 1, 2}}};
+  const int exponent = exponent_of_largest(polygon);
+  std::vector<Polygon_point> points;
+  for(const Polygon_point& p : polygon)
+    points.push_back(scaled(p, -exponent));
   if(n == 4)
   {
     const auto& p = points;
