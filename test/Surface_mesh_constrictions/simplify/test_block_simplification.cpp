@@ -88,6 +88,49 @@ void expect_collapses_keep_a_manifold(SMC::Progressive_mesh& pm, const std::vect
   }
 }
 
+// The blocks of a surface without one of its faces, or of all of it, as sets of faces of the whole surface.
+std::set<std::vector<Index>> blocks_without(const Imported& surface, std::optional<Index> left_out,
+                                            std::size_t block_faces)
+{
+  SMC::internal::Corner_table table;
+  std::vector<Index> faces;
+  for(Index f = 0; f < surface.table.halfedges.size() / 3; ++f)
+    if(f != left_out)
+    {
+      faces.push_back(f);
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+        table.halfedges.push_back(surface.table.halfedges[h]);
+    }
+  const SMC::internal::Halved_faces halved(table, surface.points, block_faces);
+  std::set<std::vector<Index>> result;
+  for(std::size_t b = 0; b + 1 < halved.first().size(); ++b)
+  {
+    std::vector<Index> block;
+    for(Index i = halved.first()[b]; i < halved.first()[b + 1]; ++i)
+      block.push_back(faces[halved.order()[i]]);
+    EXPECT_LE(block.size(), block_faces);
+    result.insert(block);
+  }
+  return result;
+}
+
+TEST(BlockSimplification, WhereAFaceIsLeftOutTheOtherBlocksStayTheSame)
+{
+  std::size_t changed = 0, tries = 0;
+  const Imported surface = imported(test_meshes::make_mesh(test_meshes::torus(0.05, 1, 200, 80)));
+  const std::set<std::vector<Index>> whole = blocks_without(surface, std::nullopt, 1024);
+  EXPECT_GE(whole.size(), 32u);
+  for(Index f = 0; f < surface.table.halfedges.size() / 3; f += 1001)
+  {
+    ++tries;
+    const std::set<std::vector<Index>> without = blocks_without(surface, f, 1024);
+    for(const std::vector<Index>& block : whole)
+      changed += without.count(block) == 0;
+  }
+  EXPECT_GE(changed, tries);         // the block that the face was in
+  EXPECT_LE(changed, tries * 3 / 2); // seldom another one, where a median lies between two places of a cut
+}
+
 TEST(BlockSimplification, CollapsesKeepAManifoldAndGoOnToTheEnd)
 {
   for(const test_meshes::Soup& soup : soups())

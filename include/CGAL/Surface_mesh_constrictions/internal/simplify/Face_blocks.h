@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -15,8 +16,9 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// The faces of a surface in compact blocks of about equal size, by halving them again and again at the median of their
-// positions along the longest axis.
+// The faces of a surface in compact blocks of about equal size, by halving them again and again near the median of their
+// positions along the longest axis. The cut is at a multiple of a share of their extent: so if a few faces are left out or
+// added, most blocks stay the same, and are simplified in the same way.
 class Halved_faces
 {
 public:
@@ -55,6 +57,8 @@ private:
   };
   typedef typename std::vector<Place>::iterator Iterator;
 
+  static constexpr double cuts = 32; // into how many equal parts of the extent a cut may divide it
+
   void halve(Iterator begin, Iterator end, std::size_t faces)
   {
     const std::size_t n = static_cast<std::size_t>(end - begin);
@@ -77,10 +81,18 @@ private:
     for(std::size_t i = 1; i < 3; ++i)
       if(high[i] - low[i] > high[axis] - low[axis])
         axis = i;
-    const Iterator middle = std::next(begin, static_cast<std::ptrdiff_t>(n / 2));
-    std::nth_element(begin, middle, end, [axis](const Place& a, const Place& b) {
+    const auto is_less = [axis](const Place& a, const Place& b) {
       return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.face < b.face;
-    });
+    };
+    Iterator middle = std::next(begin, static_cast<std::ptrdiff_t>(n / 2));
+    std::nth_element(begin, middle, end, is_less);
+    const double from = low[axis], extent = high[axis] - from;
+    const double plane = from + std::round((middle->at[axis] - from) / extent * cuts) / cuts * extent;
+    const Iterator cut = std::partition(begin, end, [&](const Place& p) { return p.at[axis] < plane; });
+    if(4 * static_cast<std::size_t>((std::min)(cut - begin, end - cut)) >= n)
+      middle = cut;
+    else // most of the faces lie near one plane
+      std::nth_element(begin, middle, end, is_less);
     halve(begin, middle, faces);
     halve(middle, end, faces);
   }
