@@ -36,9 +36,6 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// Curves that cannot become shorter, and whose lengths differ by no more than this share, have the same barrier.
-constexpr double alike_tolerance = 1e-3;
-
 // A place in the hierarchy of constrictions.
 struct Hierarchy_entry
 {
@@ -49,7 +46,7 @@ struct Hierarchy_entry
 };
 
 // A curve that cannot become shorter has no barrier. How long it is when its two swept sides meet depends on where it
-// lies. So that equal holes are equally prominent, all curves of about the same length get the least of these values,
+// lies. So that equal holes are equally prominent, all curves of nearly the same length get the least of these values,
 // but none less than its own length. Lengths and entries are in the same order.
 inline void level_endless(const std::vector<double>& lengths, std::vector<Hierarchy_entry>& entries)
 {

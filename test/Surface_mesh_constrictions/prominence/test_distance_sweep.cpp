@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/seeded_random.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
@@ -13,7 +14,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -41,9 +41,8 @@ struct Flat_surface
 class Builder
 {
 public:
-  // `size` of the squares of rows, whose vertices are moved by up to 0.2 of it along the
-  // sweep, and across it if `moves_x`, but for those of row 0
-  // and of the two beside it.
+  // `size` of the squares of rows, whose vertices are moved by up to 0.2 of it along the sweep, and across it if
+  // `moves_x`, but for those of row 0 and of the two beside it.
   Builder(unsigned seed, double size, bool moves_x) : m_random(seed), m_size(size), m_moves_x(moves_x) {}
 
   // The vertex of a key, at unfolded coordinates in squares; it may be moved along the axes.
@@ -54,8 +53,8 @@ public:
     if(known.second)
     {
       const bool is_near = std::abs(j) <= 1;
-      const double dx = moves_x && m_moves_x && !is_near ? m_uniform(m_random) : 0;
-      const double dy = (moves_y && !is_near ? m_uniform(m_random) : 0) * m_size;
+      const double dx = moves_x && m_moves_x && !is_near ? m_random.real(-0.2, 0.2) : 0;
+      const double dy = (moves_y && !is_near ? m_random.real(-0.2, 0.2) : 0) * m_size;
       surface.soup.points.push_back({{std::abs(i + dx - fold_x), std::abs(j * m_size + dy - fold_y), 0}});
       surface.heights.push_back(j * m_size + dy);
       m_is_rim.push_back(key[0] == 0);
@@ -66,7 +65,9 @@ public:
   void quad(std::size_t a, std::size_t b, std::size_t c, std::size_t d)
   {
     // a diagonal between two vertices of the rim would be that of the other layer as well
-    const bool is_other = m_is_rim[b] && m_is_rim[d] ? false : m_is_rim[a] && m_is_rim[c] ? true : m_random() % 2 == 0;
+    const bool is_other = m_is_rim[b] && m_is_rim[d]   ? false
+                          : m_is_rim[a] && m_is_rim[c] ? true
+                                                       : m_random.integer(2) == 0;
     surface.soup.faces.push_back(is_other ? test_meshes::Triangle{{a, b, d}} : test_meshes::Triangle{{a, b, c}});
     surface.soup.faces.push_back(is_other ? test_meshes::Triangle{{b, c, d}} : test_meshes::Triangle{{a, c, d}});
   }
@@ -74,8 +75,7 @@ public:
   Flat_surface surface;
 
 private:
-  std::mt19937 m_random;
-  std::uniform_real_distribution<double> m_uniform{-0.2, 0.2};
+  seeded_random::Random m_random;
   double m_size;
   bool m_moves_x;
   std::map<std::array<int, 3>, std::size_t> m_vertices; // the first number is that of the layer, or 0 for all

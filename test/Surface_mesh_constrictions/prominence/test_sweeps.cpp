@@ -63,7 +63,7 @@ Strip before_ring(const SMC::Progressive_mesh& pm, int rings, int n, int ring)
                 [&](Index v) { return v >= begin && v < begin + static_cast<Index>(n); });
 }
 
-TEST(Sweeps, ABoundaryOfSeveralCurvesIsNoneOfThem)
+TEST(BoundaryTightener, ABoundaryOfSeveralCurvesIsNoneOfThem)
 {
   const int rings = 12, n = 5;
   const SMC::Progressive_mesh pm = test_meshes::make_progressive(uneven_torus(rings, n, 0, 0));
@@ -133,7 +133,7 @@ internal::Level_lengths lengths_from_distances(const SMC::Progressive_mesh& pm, 
 }
 
 // On coarse tori the sides of a curve meet at once, also in faces beside the curve.
-TEST(Sweeps, WhereSidesMeetEachLevelIsCompleteWhenItIsRead)
+TEST(DistanceSweep, WhereSidesMeetEachLevelIsCompleteWhenItIsRead)
 {
   std::size_t levels = 0;
   for(std::size_t seed = 0; seed < 200; ++seed)

@@ -26,6 +26,10 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
+// Curves whose lengths differ by no more than this share are nearly equally long, as the holes of a plate or the
+// meridians of a turned part are.
+constexpr double alike_tolerance = 1e-3;
+
 // How a search for a barrier ends.
 enum class Barrier_end
 {
@@ -116,7 +120,6 @@ private:
   }
 
   static constexpr std::size_t most_detours = 16, most_alike_detours = 128, most_passes = 64;
-  static constexpr double alike_tolerance = 1e-3;
   // Rises that differ by less than this share of the length are equal but for rounding.
   static constexpr double equal_rise_tolerance = 1e-12;
 
