@@ -34,8 +34,10 @@ namespace Surface_mesh_constrictions {
 /// Which seeds `merge_seed_curves()` keeps.
 struct Merging_parameters
 {
+  /// how many seeds are kept of those that become equal, unless bounds say otherwise
+  static constexpr std::size_t most_kept = 12;
   /// how many seeds are kept of those that become equal, at least one. On T^0 one is kept.
-  std::size_t kept = 12;
+  std::size_t kept = most_kept;
   /// whether, of the seeds that become equal, the tightened copy is kept, moved to edges, instead of the seeds
   /// themselves
   bool tight = false;
@@ -50,9 +52,10 @@ struct Merging_parameters
   /// `parameters::crossing_constrictions()`; without a least prominence all are. Where many bumps stand side by side
   /// there are thousands of such copies.
   bool crossing = true;
-  /// on T^0 all curves are kept, whatever the bounds say, if sweeping the whole surface from each of them takes no more
-  /// faces than this. Then the hierarchy costs little, and what is selected from it is what is selected of all
-  /// constrictions.
+  /// all copies are kept, whatever the bounds say, and `most_kept` of the seeds that become equal, if sweeping the whole
+  /// of T^0 from each of them takes no more faces than this. Then the hierarchy costs little, and what is selected from
+  /// it is what is selected of all constrictions. On coarser levels than T^0 seeds that are far too long are not
+  /// tightened all the same.
   std::size_t most_swept_faces = 0;
 };
 
@@ -155,8 +158,9 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& 
   };
   const Progressive_mesh& surface = level_copy.surface();
   const internal::Surface_sides sides(surface);
-  const bool may_keep_all = level == 0 && parameters.most_swept_faces > 0;
-  if(!may_keep_all && parameters.maximum_isoperimetric_ratio < (std::numeric_limits<double>::infinity)())
+  const std::size_t most_curves = parameters.most_swept_faces / (std::max)(pm.number_of_face_ids(), std::size_t(1));
+  if((level > 0 || most_curves == 0) &&
+     parameters.maximum_isoperimetric_ratio < (std::numeric_limits<double>::infinity)())
   {
     const std::vector<std::size_t> promising = internal::paths_asked_for<ConcurrencyTag>(
         paths.size(), path_on_copy, surface, sides, parameters.maximum_isoperimetric_ratio);
@@ -181,7 +185,8 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& 
     return paths.size() - 1;
   };
   std::vector<Index> asked = internal::curves_of_network(network);
-  if(!may_keep_all || asked.size() * surface.number_of_face_ids() > parameters.most_swept_faces)
+  const bool keeps_all = asked.size() <= most_curves;
+  if(!keeps_all)
     asked = internal::curves_asked_for<ConcurrencyTag>(network, sides, parameters.maximum_isoperimetric_ratio,
                                                        parameters.minimum_prominence, parameters.crossing, add_seed);
   for(Index c = 0; c < network.number_of_curve_ids(); ++c)
@@ -200,7 +205,8 @@ OutputIterator merge_seed_curves(Progressive_mesh& pm, std::vector<Seed_curve>& 
       equal.emplace_back(internal::length_of_path(pm, paths[i].curve.vertices), i);
     std::sort(equal.begin(), equal.end());
     const std::size_t n = equal.size();
-    const std::size_t k = level == 0 || parameters.tight ? 1 : (std::min)(n, parameters.kept);
+    const std::size_t most = keeps_all ? Merging_parameters::most_kept : parameters.kept;
+    const std::size_t k = level == 0 || parameters.tight ? 1 : (std::min)(n, most);
     for(std::size_t i = 0; i < k; ++i)
     {
       const std::size_t begin = i * n / k, end = (i + 1) * n / k;

@@ -38,7 +38,7 @@ constexpr std::size_t kept_for_selection = 4;
 
 // On a small mesh with few curves all of them are kept, so that exactly those are selected that are selected of all. More
 // curves of larger meshes cost too much: each is certified, and its prominence is measured.
-constexpr std::size_t most_swept_faces = 20000;
+constexpr std::size_t most_swept_faces = 1000000;
 
 // Parameters that carry the seeds which may lead to curves that the named parameters select.
 template <class NamedParameters>
@@ -108,9 +108,9 @@ void carry_unstraightened(Progressive_mesh& pm, std::vector<Seed_curve> seeds, c
   Refinement_progress<Visitor> progress(visitor, pm.number_of_collapses());
   const Carrying_parameters parameters = carrying_parameters(np);
   carry_seed_curves<ConcurrencyTag>(pm, seeds, parameters, std::back_inserter(all.refined), progress);
-  all.is_complete = all.is_complete && pm.level_with(parameters.merging_vertices) == 0 &&
-                    std::none_of(all.refined.begin() + static_cast<std::ptrdiff_t>(first), all.refined.end(),
-                                 [](const Refined_curve& r) { return r.is_discarded; });
+  all.is_complete =
+      all.is_complete && std::none_of(all.refined.begin() + static_cast<std::ptrdiff_t>(first), all.refined.end(),
+                                      [](const Refined_curve& r) { return r.is_discarded; });
   all.number_seeds(first, std::move(seeds));
   visitor.on_stage_end(Detection_stage::REFINEMENT);
 }
