@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <map>
@@ -30,28 +31,46 @@ using test_meshes::Soup;
 
 const std::size_t around = 8; // vertices of a ring
 
-// Rings of these radii, at equal distances along the z axis, with an apex at either end. A ring between two wider ones
-// is a neck. The barrier between two necks is as high as the widest ring between them; of necks of the same length that
-// with the least numbers stands for all.
-Soup tube(const std::vector<double>& radii)
+// Rings of these radii and heights around the z axis, with an apex at either end. A ring between two wider ones is a
+// neck. The barrier between two necks is as high as the widest ring between them; of necks of the same length that with
+// the least numbers stands for all.
+Soup tube(const std::vector<std::array<double, 2>>& rings)
 {
-  std::vector<std::array<double, 2>> profile;
+  return test_meshes::revolution_of_profile(rings, rings.front()[1] - 0.2, rings.back()[1] + 0.2,
+                                            static_cast<int>(around), 0, 0);
+}
+
+// The same with rings at equal distances.
+Soup even_tube(const std::vector<double>& radii)
+{
+  std::vector<std::array<double, 2>> rings;
   for(double r : radii)
-    profile.push_back({{r, 2. * static_cast<double>(profile.size())}});
-  return test_meshes::revolution_of_profile(profile, -0.2, profile.back()[1] + 0.2, static_cast<int>(around), 0, 0);
+    rings.push_back({{r, 2. * static_cast<double>(rings.size())}});
+  return tube(rings);
 }
 
 class Necks
 {
 public:
-  explicit Necks(const std::vector<double>& radii) : Necks(tube(radii)) {}
+  explicit Necks(const std::vector<double>& radii) : Necks(even_tube(radii)) {}
 
   explicit Necks(const Soup& soup) : m_pm(test_meshes::make_progressive(soup)) {}
 
-  // To measure on the current level, too.
-  void add_level(std::size_t level)
+  // Merges a ring into another one, which gets this radius.
+  void merge(std::size_t ring, std::size_t other, double radius)
   {
-    m_pm.go_to_level(level);
+    for(std::size_t j = 0; j < around; ++j)
+    {
+      const Index kept = vertex(other, j);
+      const auto p = m_pm.point(kept);
+      const double scale = radius / std::hypot(p.x(), p.y());
+      m_pm.append_collapse({vertex(ring, j), kept, {p.x() * scale, p.y() * scale, p.z()}});
+    }
+  }
+
+  // Measures on what has become of the tube, too.
+  void add_level()
+  {
     m_levels.emplace_back(m_pm);
     m_pm.go_to_level(0);
   }
@@ -61,7 +80,7 @@ public:
   {
     std::vector<Index> path;
     for(std::size_t j = 0; j < around; ++j)
-      path.push_back(static_cast<Index>(ring * around + j));
+      path.push_back(vertex(ring, j));
     const Index c = m_network.add_curve(m_seeds.size(), path);
     m_found.push_back({c, m_network.length(c), 0, SMC::Certificate()});
     m_refined.push_back({internal::curve_of_arcs(arcs_of_curve(m_network, c)), {m_seeds.size()}, false});
@@ -108,6 +127,9 @@ public:
   static constexpr std::size_t dropped = static_cast<std::size_t>(-1);
 
 private:
+  static Index vertex(std::size_t ring, std::size_t j) { return static_cast<Index>(ring * around + j); }
+
+  // along which a curve runs
   std::size_t ring(Index curve) const
   {
     const std::vector<internal::Arc> arcs = arcs_of_curve(m_network, curve);
@@ -134,8 +156,8 @@ private:
         std::vector<internal::Arc> arcs(around);
         for(std::size_t j = 0; j < around; ++j)
         {
-          arcs[j].from = static_cast<Index>(corrected->second * around + j);
-          arcs[j].to = static_cast<Index>(corrected->second * around + (j + 1) % around);
+          arcs[j].from = vertex(corrected->second, j);
+          arcs[j].to = vertex(corrected->second, (j + 1) % around);
           arcs[j].along = m_pm.halfedge(arcs[j].from, arcs[j].to);
           measure(m_pm, arcs[j]);
         }
@@ -280,6 +302,38 @@ TEST(DetectedHierarchy, OfSkippedCurvesThatFormARingTheFirstOneIsMeasuredWithout
   EXPECT_EQ(n.dominating(10), 4u);
   EXPECT_EQ(n.dominating(4), Necks::dropped);
   EXPECT_NE(n.entry(4).slides_off, null_index);
+}
+
+// Two necks beside each other become one on a level, where the bulge between them is missing. The shorter one keeps
+// what is measured there, and of the other one it is told what parts them on the input. Of a neck that is alone at its
+// place the bulge beside it, which is wider on the level, is measured there.
+TEST(DetectedHierarchy, CurvesThatBecomeOneOnALevelArePartedOnTheInput)
+{
+  Necks n(tube({{{0.2, 0}},
+                {{1, 2}},
+                {{0.4, 4}},
+                {{0.412, 4.03}},
+                {{0.4008, 4.06}},
+                {{0.8, 6}},
+                {{0.5, 8}},
+                {{0.515, 9}},
+                {{0.515, 9.2}},
+                {{0.45, 10}},
+                {{1, 12}},
+                {{0.2, 14}}}));
+  for(std::size_t ring : {3, 2})
+    n.merge(ring, 4, 0.4008);
+  n.merge(8, 7, 0.55);
+  n.add_level();
+  for(std::size_t ring : {4, 2, 6, 9})
+    n.find(ring);
+  EXPECT_EQ(n.close(), 0u);
+  EXPECT_EQ(n.rings(), (std::vector<std::size_t>{2, 4, 9, 6}));
+  EXPECT_NEAR(n.entry(2).prominence, 1 / 0.4 - 1, 0.03);
+  EXPECT_NEAR(n.entry(4).prominence, 0.412 / 0.4008 - 1, 0.002);
+  EXPECT_EQ(n.dominating(4), 2u);
+  EXPECT_NEAR(n.entry(6).prominence, 0.55 / 0.5 - 1, 0.01);
+  EXPECT_EQ(n.dominating(6), 9u);
 }
 
 } // namespace test_detected_hierarchy
