@@ -24,9 +24,9 @@ namespace test_detected_hierarchy {
 
 namespace SMC = CGAL::Surface_mesh_constrictions;
 namespace internal = SMC::internal;
+using internal::Found_curve;
 using SMC::Index;
 using SMC::null_index;
-using internal::Found_curve;
 using test_meshes::Soup;
 
 const std::size_t around = 8; // vertices of a ring
@@ -114,7 +114,8 @@ public:
   internal::Hierarchy_entry entry(std::size_t ring) const
   {
     const std::vector<std::size_t> all = rings();
-    return m_hierarchy.entries(m_found)[static_cast<std::size_t>(std::find(all.begin(), all.end(), ring) - all.begin())];
+    return m_hierarchy.entries(
+        m_found)[static_cast<std::size_t>(std::find(all.begin(), all.end(), ring) - all.begin())];
   }
 
   // The ring that dominates one; `dropped` if none does.
@@ -270,8 +271,8 @@ TEST(DetectedHierarchy, AWayThatComesBackToWhatWasDroppedEnds)
 // Beside each of the three necks there is a wider one that slides to it.
 TEST(DetectedHierarchy, WaysAlongARingOfCurvesThatAreDroppedAtOnceEnd)
 {
-  const std::vector<double> radii = {0.2, 1,          0.5, 0.55, nearly(1.4), 0.6, 0.5, 0.55, nearly(0.7),
-                                     0.6, 0.5, 0.55, nearly(0), 1, 0.2};
+  const std::vector<double> radii = {0.2,         1,   0.5, 0.55, nearly(1.4), 0.6, 0.5, 0.55,
+                                     nearly(0.7), 0.6, 0.5, 0.55, nearly(0),   1,   0.2};
   Necks n(radii);
   for(std::size_t ring : {2, 6, 10})
     n.find(ring);
