@@ -63,8 +63,10 @@ public:
     return known.first->second;
   }
 
-  void quad(std::size_t a, std::size_t b, std::size_t c, std::size_t d)
+  // Its corners, clockwise. They are made in this order, with every compiler.
+  void quad(const std::array<std::size_t, 4>& corners)
   {
+    const std::size_t d = corners[0], c = corners[1], b = corners[2], a = corners[3];
     // a diagonal between two vertices of the rim would be that of the other layer as well
     const bool is_other = m_is_rim[b] && m_is_rim[d]   ? false
                           : m_is_rim[a] && m_is_rim[c] ? true
@@ -99,8 +101,8 @@ Flat_surface doubled(int width, int low, int high, double size, unsigned seed, c
     for(int j = low; j < high; ++j)
       if(inside(i, j))
       {
-        b.quad(at(2, i, j), at(2, i + 1, j), at(2, i + 1, j + 1), at(2, i, j + 1));
-        b.quad(at(1, i, j), at(1, i, j + 1), at(1, i + 1, j + 1), at(1, i + 1, j));
+        b.quad({{at(2, i, j + 1), at(2, i + 1, j + 1), at(2, i + 1, j), at(2, i, j)}});
+        b.quad({{at(1, i + 1, j), at(1, i + 1, j + 1), at(1, i, j + 1), at(1, i, j)}});
       }
   return b.surface;
 }
@@ -117,7 +119,7 @@ Flat_surface torus(int width, int height, double size, unsigned seed, bool moves
   };
   for(int i = 0; i < 2 * width; ++i)
     for(int j = 0; j < 2 * height; ++j)
-      b.quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      b.quad({{at(i, j + 1), at(i + 1, j + 1), at(i + 1, j), at(i, j)}});
   return b.surface;
 }
 
