@@ -5,6 +5,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Distance_sweep.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
+#include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -62,8 +63,10 @@ public:
     return known.first->second;
   }
 
-  void quad(std::size_t a, std::size_t b, std::size_t c, std::size_t d)
+  // Its corners, clockwise. They are made in this order, with every compiler.
+  void quad(const std::array<std::size_t, 4>& corners)
   {
+    const std::size_t d = corners[0], c = corners[1], b = corners[2], a = corners[3];
     // a diagonal between two vertices of the rim would be that of the other layer as well
     const bool is_other = m_is_rim[b] && m_is_rim[d]   ? false
                           : m_is_rim[a] && m_is_rim[c] ? true
@@ -98,8 +101,8 @@ Flat_surface doubled(int width, int low, int high, double size, unsigned seed, c
     for(int j = low; j < high; ++j)
       if(inside(i, j))
       {
-        b.quad(at(2, i, j), at(2, i + 1, j), at(2, i + 1, j + 1), at(2, i, j + 1));
-        b.quad(at(1, i, j), at(1, i, j + 1), at(1, i + 1, j + 1), at(1, i + 1, j));
+        b.quad({{at(2, i, j + 1), at(2, i + 1, j + 1), at(2, i + 1, j), at(2, i, j)}});
+        b.quad({{at(1, i + 1, j), at(1, i + 1, j + 1), at(1, i, j + 1), at(1, i, j)}});
       }
   return b.surface;
 }
@@ -116,7 +119,7 @@ Flat_surface torus(int width, int height, double size, unsigned seed, bool moves
   };
   for(int i = 0; i < 2 * width; ++i)
     for(int j = 0; j < 2 * height; ++j)
-      b.quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      b.quad({{at(i, j + 1), at(i + 1, j + 1), at(i + 1, j), at(i, j)}});
   return b.surface;
 }
 
@@ -126,8 +129,8 @@ class Sweep
 {
 public:
   explicit Sweep(const Flat_surface& surface)
-    : m_pm(test_meshes::make_progressive(surface.soup)), m_heights(surface.heights), m_lengths(m_pm),
-      m_sweep(m_pm, m_lengths)
+    : m_pm(SMC::make_progressive_mesh(test_meshes::make_mesh(surface.soup), {})), m_heights(surface.heights),
+      m_lengths(m_pm), m_sweep(m_pm, m_lengths)
   {}
 
   // The line at a height; above it is its left side. At height 0 it runs along edges.
@@ -244,6 +247,28 @@ TEST(DistanceSweep, OnBothSidesOfAFlatTubeLevelsAreAsLongAsTheStart)
         s.check_boundary(side, level / 2, height, 1);
       }
     }
+}
+
+// A square beside the start is a hole, a third of whose rim is part of the start. The rest of the rim is swept from both
+// sides; what has been swept, or what has not, is part of the boundary, whichever is shorter.
+TEST(DistanceSweep, WhereTheStartRunsAlongAHoleThisPartOfItsRimIsSwept)
+{
+  for(std::size_t side = 0; side < 2; ++side)
+  {
+    const int rows = 6;
+    Flat_surface surface = doubled(4, -rows, rows, size, 0, [](int, int) { return true; });
+    // each square has four faces, two of which are on the back
+    const std::ptrdiff_t square = 1 * 2 * rows + rows - static_cast<std::ptrdiff_t>(side);
+    surface.soup.faces.erase(surface.soup.faces.begin() + 4 * square + 2, surface.soup.faces.begin() + 4 * square + 4);
+    surface.heights.push_back(side == 0 ? infinity : -infinity); // of the ghost that closes the hole
+    Sweep s(surface);
+    s.sweep().start(s.line(0), 8, false);
+    for(double length = s.sweep().advance(side); s.sweep().distance(side) < size; length = s.sweep().advance(side))
+    {
+      const double swept = 1 + 2 * s.sweep().distance(side);
+      EXPECT_NEAR(length, 7 + (std::min)(swept, 2 + 2 * size - swept), 1e-9) << s.sweep().distance(side);
+    }
+  }
 }
 
 // Above the first squares are two tubes, of length 4 and 6 around.

@@ -88,6 +88,36 @@ TEST(BoundaryTightener, ABoundaryOfSeveralCurvesIsNoneOfThem)
   EXPECT_NEAR(single.length, length, 1e-9);
 }
 
+// The boundaries of three rings and a part of a fourth one. Of a boundary that is longer than it is said to be, the
+// shortest loop through any of its corners is tightened, and otherwise that through its foremost corner, which is the
+// shortest one.
+TEST(BoundaryTightener, TheShortestLoopOfABoundaryIsTightened)
+{
+  const int rings = 8, n = 6;
+  std::size_t boundaries = 0;
+  for(std::size_t seed = 0; seed < 20; ++seed)
+  {
+    const SMC::Progressive_mesh pm = test_meshes::make_progressive(uneven_torus(rings, n, 0.5, seed));
+    const internal::Corner_angles angles(pm);
+    internal::Boundary_tightener tightener(pm, angles);
+    seeded_random::Random random(seed);
+    std::vector<bool> is_inside;
+    for(int v = 0; v < rings * n; ++v)
+      is_inside.push_back(v < 3 * n || (v < 4 * n && random.integer(2) == 0));
+    for(Index h = 0; h < pm.number_of_halfedge_ids(); h += 7)
+    {
+      if(!is_inside[pm.source(h)] || is_inside[pm.target(h)])
+        continue;
+      const Strip strip = around(pm, h, [&](Index v) { return is_inside[v]; });
+      const double infinity = (std::numeric_limits<double>::infinity)();
+      EXPECT_EQ(tightener.tighten({strip}, 0, infinity).longest, tightener.tighten({strip}, infinity, infinity).longest)
+          << "seed " << seed << ", halfedge " << h;
+      ++boundaries;
+    }
+  }
+  EXPECT_GT(boundaries, 50u);
+}
+
 // The lengths of the boundaries on a side, from the distances of all vertices.
 internal::Level_lengths lengths_from_distances(const SMC::Progressive_mesh& pm, const internal::Edge_lengths& lengths,
                                                const std::vector<internal::Trace_point>& trace, std::size_t s,

@@ -129,6 +129,13 @@ private:
     std::uint64_t place = 0;      // see `Prominence`
   };
 
+  // Where a curve comes from that has been added.
+  struct Origin
+  {
+    Index from;         // the curve that slides to it
+    std::uint64_t hash; // of the curve, as it was added
+  };
+
   std::size_t number_of_passed_seeds() const
   {
     std::size_t sum = 0;
@@ -138,9 +145,9 @@ private:
     return sum;
   }
 
-  // Skipped curves may slide to each other: if correction has made twins one curve, or has changed the length of one,
-  // each may stand for the other. Then the first one in a ring joins `added`, to be measured again, without ties. If it
-  // was already measured without ties, or if all in the ring have been dropped, the ways along the ring end at it.
+  // Ways along skipped and dropped curves may come back, as lengths that differ by less than a tolerance count as equal:
+  // each of three curves may stand for the one before. Then the first skipped curve of such a ring joins `added`, to be
+  // measured again, without ties. If each has been already, or if all have been dropped, the ring is cut.
   void break_rings(const std::vector<Found_curve>& found, std::vector<Found_curve>& added)
   {
     const std::unordered_map<std::size_t, std::size_t> place = places_by_seed(found);
@@ -164,22 +171,17 @@ private:
       Index d = c;
       do
       {
-        if(!m_network.is_empty(d) && (first == null_index || tie_key(m_network, d) < tie_key(m_network, first)))
+        if(!m_network.is_empty(d) && m_without_ties.count(d) == 0 &&
+           (first == null_index || tie_key(m_network, d) < tie_key(m_network, first)))
           first = d;
         d = next(d);
       } while(d != c);
       if(first == null_index)
       {
-        m_held.at(c).slides_to = none;
+        const_cast<Entry*>(entry(c))->slides_to = none;
         continue;
       }
-      if(!m_without_ties.insert(first).second)
-      {
-        for(std::size_t r : m_network.curve(first).seeds)
-          if(r < m_entries.size() && m_entries[r])
-            m_entries[r]->slides_to = none;
-        continue;
-      }
+      m_without_ties.insert(first);
       forget(first);
       m_passed.erase(std::remove(m_passed.begin(), m_passed.end(), first), m_passed.end());
       added.push_back({first, m_network.length(first), 0, Certificate()});
@@ -193,7 +195,7 @@ private:
     std::optional<Entry>* first = nullptr;
     for(std::size_t r : m_network.curve(curve).seeds)
     {
-      if(r >= m_entries.size() || !m_entries[r])
+      if(!m_entries[r])
         continue;
       if(first == nullptr)
       {
@@ -236,7 +238,7 @@ private:
       }
       for(std::size_t r : m_network.curve(found[i].curve).seeds)
       {
-        if(r >= m_entries.size() || !m_entries[r] || !m_entries[r]->is_tie)
+        if(!m_entries[r] || !m_entries[r]->is_tie)
           continue;
         const std::size_t to = destination(*m_entries[r], place);
         if(to == none || to == i ||
@@ -302,8 +304,7 @@ private:
   void forget(Index curve)
   {
     for(std::size_t r : m_network.curve(curve).seeds)
-      if(r < m_entries.size())
-        m_entries[r].reset();
+      m_entries[r].reset();
   }
 
   std::unordered_map<std::size_t, std::size_t> places_by_seed(const std::vector<Found_curve>& found) const
@@ -363,10 +364,21 @@ private:
   const Entry* entry(Index curve) const
   {
     for(std::size_t r : m_network.curve(curve).seeds)
-      if(r < m_entries.size() && m_entries[r])
+      if(m_entries[r])
         return &*m_entries[r];
     const auto held = m_held.find(curve);
     return held != m_held.end() && m_network.is_empty(curve) ? &held->second : nullptr;
+  }
+
+  // Whether the way to a new curve has passed the same curve before, where it has been dropped or corrected since. Linear
+  // in the number of curves on the way.
+  bool has_come_back(Index curve) const
+  {
+    const Origin& end = m_added.at(curve);
+    for(auto at = m_added.find(end.from); at != m_added.end(); at = m_added.find(at->second.from))
+      if(at->second.hash == end.hash)
+        return true;
+    return false;
   }
 
   // Writes the entries of curves of the network. Returns new curves that they slide to.
@@ -419,7 +431,12 @@ private:
         const Index known = distinct.insert(c);
         m_curves.emplace(e.slides_to, known);
         if(known == c)
+        {
           added.push_back({c, m_network.length(c), 0, Certificate()});
+          m_added.emplace(c, Origin{asked[i], m_network.curve(c).hash});
+          if(has_come_back(c))
+            m_without_ties.insert(c);
+        }
       }
       m_entries[m_network.curve(asked[i]).seeds.front()] = e;
     }
@@ -433,6 +450,7 @@ private:
   Prominence_meter m_meter;
   std::vector<std::optional<Entry>> m_entries;     // by seed: set for one seed of each curve that has been measured
   std::unordered_map<std::size_t, Index> m_curves; // by seed: that a curve that was measured slides to
+  std::unordered_map<Index, Origin> m_added;       // by curve of the network
   std::unordered_set<Index> m_without_ties;        // curves of the network
   std::unordered_set<Index> m_on_input;            // curves of the network whose neighbours are looked for on the input
   std::vector<Index> m_passed;                     // curves of the network that are not found, but were measured

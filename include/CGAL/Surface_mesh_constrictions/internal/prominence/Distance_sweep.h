@@ -235,8 +235,7 @@ private:
   {
     if(m_pm.is_ghost_vertex(v))
       return m_sides[s].rims.is_passed(v, m_distance);
-    return m_front.belongs_to(v, s) && m_front.distance(v, s) <= m_distance &&
-           (s == 1 || !m_front.belongs_to(v, 1) || m_front.distance(v, 1) > 0);
+    return m_front.belongs_to(v, s) && m_front.distance(v, s) <= m_distance && (s == 1 || !m_front.belongs_to(v, 1));
   }
 
   // Walks around a curve of the boundary, from a halfedge that leads out of the swept region, or across the start to an
