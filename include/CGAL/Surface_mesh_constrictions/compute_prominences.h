@@ -84,6 +84,41 @@ void lead_endless(const std::vector<double>& lengths, const Isolation& isolation
   }
 }
 
+// Of two curves of nearly the same length and prominence that are at one place the longer one can become the other,
+// though no way to it has been found: what crosses a curve, or partly runs along it, lies on no level set of the
+// distance to it. `isolation(i, j)` as above. Cost: that of `isolation` for each pair of such lengths and prominences.
+template <class Isolation>
+void lead_twins(const std::vector<double>& lengths, const Isolation& isolation, std::vector<Hierarchy_entry>& entries)
+{
+  const auto comes_to = [&](std::optional<std::size_t> from, std::size_t i) {
+    while(from && *from != i)
+      from = entries[*from].dominated_by;
+    return from.has_value();
+  };
+  const std::vector<Index> order = by_length(lengths);
+  for(std::size_t n = 0; n < order.size(); ++n)
+  {
+    const Index i = order[n];
+    Hierarchy_entry& e = entries[i];
+    if(!e.has_end || e.prominence < negligible_prominence ||
+       (e.dominated_by && isolation(i, *e.dominated_by) < area_of_one_place))
+      continue;
+    double least = area_of_one_place;
+    for(std::size_t k = n; k > 0 && lengths[order[k - 1]] >= (1 - alike_tolerance) * lengths[i]; --k)
+    {
+      const Index j = order[k - 1];
+      if(!are_alike(e.prominence, entries[j].prominence) || comes_to(j, i))
+        continue;
+      if(const double area = isolation(i, j); area < least)
+      {
+        least = area;
+        e.dominated_by = j;
+        e.slides_off = null_index;
+      }
+    }
+  }
+}
+
 // For each of some simple closed geodesics of T^0 the shorter ones that it crosses there and back. Those for which
 // `is_known` is false are not listed. Linear in the mesh, plus the curves that each crosses.
 inline Earlier_curves crossed_evenly(const Progressive_mesh& pm, const std::vector<std::vector<Trace_point>>& traces,
@@ -128,6 +163,7 @@ void set_prominences(const Progressive_mesh& pm, const Surface_sides& sides,
                : sides.area_between(traces[i], traces[j]) / std::pow(length(pm, traces[i]), 2);
   };
   lead_endless(lengths, isolation_from, entries);
+  lead_twins(lengths, isolation_from, entries);
   std::vector<bool> is_known;
   for(std::size_t i = 0; i < data.size(); ++i)
   {
@@ -204,6 +240,14 @@ inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm, const 
     numbers.push_back(slides.enter(arcs));
     place.emplace(numbers.back(), numbers.size() - 1);
   }
+  // the place of a curve or of its twin; none if neither is among them
+  const auto place_of = [&](Index c) -> std::optional<std::size_t> {
+    if(const auto it = place.find(c); it != place.end())
+      return it->second;
+    const auto twin =
+        std::find_if(numbers.begin(), numbers.end(), [&](Index given) { return slides.are_twins(c, given); });
+    return twin == numbers.end() ? std::nullopt : std::make_optional(place.at(*twin));
+  };
   std::vector<Hierarchy_entry> result;
   for(std::size_t i = 0; i < numbers.size(); ++i)
   {
@@ -211,11 +255,13 @@ inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm, const 
     const double prominence = prominence_of_barrier(b->length, slides.length(numbers[i]));
     const bool has_end = b->end != Barrier_end::NONE;
     std::unordered_set<Index> passed; // they may form a ring, see `break_rings()`
-    while(b->end == Barrier_end::CURVE && place.count(b->curve) == 0 && passed.insert(b->curve).second)
-      b = &slides.barrier(b->curve);
+    std::optional<std::size_t> to;
+    for(; b->end == Barrier_end::CURVE && passed.insert(b->curve).second; b = &slides.barrier(b->curve))
+      if((to = place_of(b->curve)) && *to != i)
+        break;
     result.push_back({prominence, std::nullopt, b->vertex, has_end});
-    if(b->end == Barrier_end::CURVE && place.count(b->curve) > 0)
-      result.back().dominated_by = place.at(b->curve);
+    if(b->end == Barrier_end::CURVE && to && *to != i)
+      result.back().dominated_by = to;
   }
   break_rings(result);
   return result;
@@ -252,6 +298,8 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
 /// slides to. Lengths do not grow along `Constriction::dominated_by()`, and of two curves of equal length always the
 /// same one stands for both, so that the way along it ends. A curve that does not separate may have no end, because it
 /// cannot become shorter; of two at one place, with hardly any area between them, the longer one slides to the other.
+/// So does the longer one of any two at one place that are nearly as long and as prominent as each other, though the
+/// sweep has found no way between them: they may cross, or run along each other.
 /// Its prominence tells how long it is when its two swept sides meet; several such curves of the same length all get
 /// the least of these values.
 ///

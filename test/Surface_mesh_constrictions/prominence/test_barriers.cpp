@@ -171,6 +171,25 @@ TEST(Barriers, UpToALengthBelowItNoneIsFound)
   EXPECT_LE(beyond.length, over_spike(2));
 }
 
+// While the belt gets over one, the others hold it, so that it is longer than over one alone.
+TEST(Barriers, OverSpikesOnSeveralSidesABeltGetsOneByOne)
+{
+  const std::vector<Spike> spikes = {
+      {foot, 1, -2.}, {{{3, 5, 6}}, 1, 1.9}, {{{1, 3, 6}}, 0, -1.8}, {{{5, 3, 6}}, 0, 1.7}};
+  for(std::ptrdiff_t n = 2; n <= 4; ++n)
+  {
+    Body b({above, {{1, 1, 1, 5, 5, 7}}}, {spikes.begin(), spikes.begin() + n});
+    const Index c = b.belt(around_tube, 7);
+    ASSERT_NEAR(b.length(c), 16, 1e-12);
+    for(const Barrier& over : {b.barrier(c), b.barrier_of_vertices(c)})
+    {
+      EXPECT_EQ(over.end, Barrier_end::POINT);
+      EXPECT_GT(over.length, over_spike(2));
+      EXPECT_LT(over.length, over_spike(2) + 1);
+    }
+  }
+}
+
 // Below the tube is a tube of 2 x 2, above the box one of 5 x 5, and behind each of these another box.
 TEST(Barriers, ABeltSlidesOverASpikeToAShorterOne)
 {

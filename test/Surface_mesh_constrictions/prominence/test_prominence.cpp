@@ -280,6 +280,35 @@ TEST(LeadEndless, TheLongerOneOfTwoAtOnePlaceSlidesToTheOther)
   EXPECT_FALSE(entries[4].dominated_by);
 }
 
+// At the places 0, 0.1, 0.2, 0.5, 0.55, 0.6 of a line. Number 2 is less prominent, number 3 longer, and the last one
+// slides to number 0, which is not at its place.
+TEST(LeadTwins, TheLongerOneOfTwoAsProminentAtOnePlaceSlidesToTheOther)
+{
+  namespace internal = SMC::internal;
+  const std::vector<double> lengths = {1.0002, 1, 1.0001, 1.1, 1.0003, 1.0004}, places = {0, 0.1, 0.2, 0.5, 0.55, 0.6};
+  std::vector<internal::Hierarchy_entry> entries(6, {0.5, std::nullopt, 7, true});
+  entries[2].prominence = 0.4;
+  entries[5] = {0.5, 0, SMC::null_index, true};
+  const auto lead = [&] {
+    internal::lead_twins(
+        lengths, [&](std::size_t i, std::size_t j) { return std::abs(places[i] - places[j]); }, entries);
+  };
+  lead();
+  EXPECT_EQ(entries[0].dominated_by, 1u);
+  EXPECT_EQ(entries[0].slides_off, SMC::null_index);
+  EXPECT_EQ(entries[5].dominated_by, 4u);
+  for(std::size_t i : {1, 2, 3, 4})
+  {
+    EXPECT_FALSE(entries[i].dominated_by) << i;
+    EXPECT_EQ(entries[i].slides_off, 7u) << i;
+  }
+
+  entries[0].dominated_by.reset();
+  entries[1].dominated_by = 0; // then the way would come back
+  lead();
+  EXPECT_FALSE(entries[0].dominated_by);
+}
+
 TEST(BreakRings, WaysThatComeBackEndAtTheFirstCurveOfTheRing)
 {
   namespace internal = SMC::internal;

@@ -178,7 +178,7 @@ private:
       } while(d != c);
       if(first == null_index)
       {
-        const_cast<Entry*>(entry(c))->slides_to = none;
+        entry(c)->slides_to = none;
         continue;
       }
       m_without_ties.insert(first);
@@ -369,6 +369,8 @@ private:
     const auto held = m_held.find(curve);
     return held != m_held.end() && m_network.is_empty(curve) ? &held->second : nullptr;
   }
+
+  Entry* entry(Index curve) { return const_cast<Entry*>(std::as_const(*this).entry(curve)); }
 
   // Whether the way to a new curve has passed the same curve before, where it has been dropped or corrected since. Linear
   // in the number of curves on the way.

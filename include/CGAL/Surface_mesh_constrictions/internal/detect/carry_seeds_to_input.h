@@ -108,9 +108,9 @@ void carry_unstraightened(Progressive_mesh& pm, std::vector<Seed_curve> seeds, c
   Refinement_progress<Visitor> progress(visitor, pm.number_of_collapses());
   const Carrying_parameters parameters = carrying_parameters(np);
   carry_seed_curves<ConcurrencyTag>(pm, seeds, parameters, std::back_inserter(all.refined), progress);
-  all.is_complete =
-      all.is_complete && std::none_of(all.refined.begin() + static_cast<std::ptrdiff_t>(first), all.refined.end(),
-                                      [](const Refined_curve& r) { return r.is_discarded; });
+  all.is_complete = all.is_complete && pm.level_with(parameters.merging_vertices) == 0 &&
+                    std::none_of(all.refined.begin() + static_cast<std::ptrdiff_t>(first), all.refined.end(),
+                                 [](const Refined_curve& r) { return r.is_discarded; });
   all.number_seeds(first, std::move(seeds));
   visitor.on_stage_end(Detection_stage::REFINEMENT);
 }

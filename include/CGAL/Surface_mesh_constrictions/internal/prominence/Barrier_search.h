@@ -186,45 +186,74 @@ private:
   }
 
   // The easiest way found over single vertices, of no more than a length; its end is NONE if there is none. The passes
-  // of the curves found are tried in the order of their heights. If a pass makes the curve longer by as much as it did
-  // before, the vertices passed since do not interfere with it: if neither of two such passes makes the curve shorter,
-  // both together do not. So such a pass is not tried again; else n vertices would lead to 2^n curves.
+  // of the curves found are tried in the order of their heights. n vertices lead to 2^n curves, as most passes do not
+  // interfere with each other. So a pass that makes the curve longer by as much as it did before is tried only once
+  // more: from the curve on the way to which the most vertices have been passed.
   Barrier pass_vertices(double greatest_length)
   {
     struct Way
     {
       Index curve;
+      std::size_t depth; // how many vertices have been passed on the way to the curve
       double height_before;
       Vertex_pass pass;
+      double rise;
+      bool is_second;
 
       double height() const { return (std::max)(height_before, pass.length); }
+    };
+    // A pass that has been tried, or will be.
+    struct Tried
+    {
+      double rise;
+      std::size_t depth; // of the second time; 0 if there was none
+      bool is_done;      // whether it was tried twice
     };
     const auto is_higher = [](const Way& x, const Way& y) { return x.height() > y.height(); };
     std::vector<Way> ways; // a heap
     std::vector<Index> found(1, m_goal);
-    std::unordered_map<Index, std::vector<double>> rises; // tried, by vertex
+    std::unordered_map<Index, std::vector<Tried>> tried; // by vertex
+    const auto before = [&](Index vertex, double rise) {
+      std::vector<Tried>& all = tried[vertex];
+      const auto it = std::find_if(all.begin(), all.end(), [&](const Tried& t) {
+        return std::abs(t.rise - rise) <= equal_rise_tolerance * m_goal_length;
+      });
+      return it == all.end() ? nullptr : &*it;
+    };
     // of a curve that has just been led over a vertex, or null_index; the way back over that is none
-    const auto add_ways = [&](Index curve, double height, Index vertex) {
+    const auto add_ways = [&](Index curve, std::size_t depth, double height, Index vertex) {
       for(Vertex_pass& p : vertex_passes(m_tightener.surface(), m_angles, m_tightener.arcs(curve), greatest_length,
                                          m_tightener.puller()))
       {
-        std::vector<double>& tried = rises[p.vertex];
         const double rise = p.length - m_tightener.length(curve);
-        if(p.vertex == vertex || std::any_of(tried.begin(), tried.end(), [&](double t) {
-             return std::abs(t - rise) <= equal_rise_tolerance * m_goal_length;
-           }))
+        if(p.vertex == vertex)
           continue;
-        tried.push_back(rise);
-        ways.push_back({curve, height, std::move(p)});
+        Tried* const t = before(p.vertex, rise);
+        if(t == nullptr)
+          tried[p.vertex].push_back({rise, 0, false});
+        else if(t->is_done || depth <= t->depth)
+          continue;
+        else
+          t->depth = depth;
+        ways.push_back({curve, depth, height, std::move(p), rise, t != nullptr});
         std::push_heap(ways.begin(), ways.end(), is_higher);
       }
     };
-    add_ways(m_goal, 0, null_index);
-    for(std::size_t i = 0; i < most_passes && !ways.empty(); ++i)
+    add_ways(m_goal, 0, 0, null_index);
+    for(std::size_t i = 0; i < most_passes && !ways.empty();)
     {
       std::pop_heap(ways.begin(), ways.end(), is_higher);
       const Way way = std::move(ways.back());
       ways.pop_back();
+      if(way.is_second)
+      {
+        Tried* const t = before(way.pass.vertex, way.rise);
+        if(t->is_done || t->depth != way.depth)
+          continue;
+        t->is_done = true;
+      }
+      else
+        ++i;
       double height = way.height();
       Tightened_boundary b = behind(way.curve, way.height_before, way.pass, height);
       if(!b.is_simple || (b.longest == null_index && !m_separates))
@@ -235,7 +264,7 @@ private:
       if(std::find(found.begin(), found.end(), b.longest) == found.end())
       {
         found.push_back(b.longest);
-        add_ways(b.longest, height, way.pass.vertex);
+        add_ways(b.longest, way.depth + 1, height, way.pass.vertex);
       }
     }
     return {(std::numeric_limits<double>::infinity)(), Barrier_end::NONE, null_index, Strip(), null_index};

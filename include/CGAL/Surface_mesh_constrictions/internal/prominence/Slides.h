@@ -7,9 +7,12 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/rivals.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <vector>
@@ -45,6 +48,20 @@ public:
         .emplace(c, m_search.search(arcs, points, m_sides.part(points).is_separating(),
                                     (std::numeric_limits<double>::infinity)()))
         .first->second;
+  }
+
+  // Whether two curves are nearly as long and as prominent as each other and at one place, see `lead_twins()`. Cost:
+  // that of `barrier()` of both, if their lengths are alike.
+  bool are_twins(Index c, Index d)
+  {
+    if(std::abs(length(c) - length(d)) > alike_tolerance * length(d) ||
+       !are_alike(prominence_of_barrier(barrier(c).length, length(c)),
+                  prominence_of_barrier(barrier(d).length, length(d))))
+      return false;
+    const std::vector<Trace_point> points = trace(m_pm, m_search.tightener().arcs(c)),
+                                   others = trace(m_pm, m_search.tightener().arcs(d));
+    return m_sides.part(points).homology_class == m_sides.part(others).homology_class &&
+           m_sides.area_between(points, others) < area_of_one_place * length(d) * length(d);
   }
 
 private:
