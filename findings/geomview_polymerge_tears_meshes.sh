@@ -4,14 +4,15 @@
 #
 # Guess: a program that merges coincident vertices, collinear edges and coplanar faces of an OFF file leaves a round
 # surface as it is, and what it does merge stays closed.
-# What happens: neighbours are merged if the sine between their normals is below 0.03, and that again and again: a torus
-# of 160 000 triangles, which is nowhere flat, becomes 2389 faces. They are no closed surface: there are 18357 border
-# edges and 1713 components, and of the volume 39.5 they enclose 3.5. A coarse torus of 576 triangles comes back closed.
-# Without merging of faces and edges (-F -E) both are unharmed, but a torus 6e-6 long has no vertex left, since vertices
-# nearer than 1e-5 are one, whatever the size. There is no message, and the exit code is 1 in each case, good or bad.
+# What happens: neighbours are merged if the sine between their normals is below 0.03, and that again and again: a
+# torus of 160 000 triangles, which is nowhere flat, becomes 2389 faces. They are no closed surface: there are 18357
+# border edges and 1713 components, and of the volume 39.5 they enclose 3.5. A coarse torus of 576 triangles comes
+# back closed. Without merging of faces and edges (-F -E) both are unharmed, but a torus 6e-6 long has no vertex left,
+# since vertices nearer than 1e-5 are one, whatever the size. There is no message, and the exit code is 1 in each
+# case, good or bad.
 #
-# Why it matters: the finer a mesh is, as one makes it to find necks well, the more of it is lost, and each piece has a
-# border that was not there. "Merge coplanar faces" is a usual first step before others simplify or print a mesh.
+# Why it matters: the finer a mesh is, as one makes it to find necks well, the more of it is lost, and each piece has
+# a border that was not there.
 . "$(dirname "$0")/lib/packages.sh"
 debian geomview=1.9.5-4+b1
 

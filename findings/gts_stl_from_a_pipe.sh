@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # GTS 0.7.6 (libgts-bin 0.7.6+darcs121130-5+b1): stl2gts and gtscheck.
 #
-# Guess: stl2gts, which reads standard input, gives the same surface from a file as from a pipe, or an error; and gtscheck
-# says of a surface without faces that there is nothing to check.
+# Guess: stl2gts, which reads standard input, gives the same surface from a file as from a pipe, or an error; and
+# gtscheck says of a surface without faces that there is nothing to check.
 # What happens: binary STL from a pipe, as gunzip makes one, gives a surface with no vertex, and exit code 0; from a
 # file, or as text from a pipe, the torus is there. Without merging of vertices (--nomerge) nothing is said, with it
 # GLib complains of an assertion of another function. gtscheck answers 0 for the empty surface, "a closed, orientable

@@ -4,12 +4,12 @@
 #
 # Guess: a mesh that is read from OBJ has the cells that it has when read from OFF, and is written as it was read.
 # What happens: from OFF the cells of a torus of 48 triangles are 240 numbers of 32 bits, the greatest one the last
-# vertex, 23. From OBJ they are 240 numbers of 64 bits, of which each holds two of the 32 bits, and the greatest one is
-# 98784247827 = 23 * 2^32 + 19. Written to OFF or to OBJ, 24 of the 48 faces have no corner, and of the others each
+# vertex, 23. From OBJ they are 240 numbers of 64 bits, of which each holds two of the 32 bits, and the greatest one
+# is 98784247827 = 23 * 2^32 + 19. Written to OFF or to OBJ, 24 of the 48 faces have no corner, and of the others each
 # names a vertex that does not exist. Reading and writing report success. OBJ that was written from OFF is right.
 #
-# Why it matters: OBJ to OFF is a usual conversion before a mesh is searched for loops. Of these files a reader can say
-# at best that vertex 4294967301 is unknown; one that leaves such faces out has none.
+# Why it matters: OBJ to OFF is a usual conversion before a mesh is searched for loops. Of these files a reader can
+# say at best that vertex 4294967301 is unknown; one that leaves such faces out has none.
 . "$(dirname "$0")/lib/packages.sh"
 npm_packages @itk-wasm/mesh-io@1.7.1
 

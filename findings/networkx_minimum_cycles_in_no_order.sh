@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # NetworkX 2.8.8 (python3-networkx 2.8.8-1): minimum_cycle_basis() and cycle_basis().
 #
-# Guess: each cycle of a minimum cycle basis is the list of its vertices in the order in which one comes through them, as
-# the cycles of cycle_basis() are.
+# Guess: each cycle of a minimum cycle basis is the list of its vertices in the order in which one comes through them,
+# as the cycles of cycle_basis() are.
 # What happens: the vertices are in the order of a Python set. A triangle is a cycle in any order, and a row of
 # neighbouring numbers comes out sorted, so that of the 169 cycles of a torus 168 are in order: 167 triangles and the
 # loop around the tube. The other loop, the shorter way of 12 edges around the hole, jumps to and fro: its length is

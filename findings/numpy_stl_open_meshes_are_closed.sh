@@ -3,15 +3,15 @@
 # numpy-stl 2.8.0 (python3-stl 2.9.0-2+b3), Mesh.is_closed().
 #
 # Guess: a mesh is closed if each edge has two triangles; at least a body without a lid is not.
-# What happens: the normals of all triangles, as long as twice the areas, are added up in single precision, and the mesh
-# is closed if no coordinate of the sum is 1e-4 or more. The sum is not looked at without its sign: of a cube of size 1
-# that lacks one side, three of the six are called closed, those that lack the side at x = 1, y = 1 or z = 1. A tube
-# without both ends is closed, and so is one triangle that looks the right way. The bound has no relation to the size: a
-# closed torus 6 long is closed, the same torus 6000 long is not, since its rounding errors are larger.
+# What happens: the normals of all triangles, as long as twice the areas, are added up in single precision, and the
+# mesh is closed if no coordinate of the sum is 1e-4 or more. The sum is not looked at without its sign: of a cube of
+# size 1 that lacks one side, three of the six are called closed, those that lack the side at x = 1, y = 1 or z = 1. A
+# tube without both ends is closed, and so is one triangle that looks the right way. The bound has no relation to the
+# size: a closed torus 6 long is closed, the same torus 6000 long is not, since its rounding errors are larger.
 # get_mass_properties() asks this function whether its volume can be trusted.
 #
-# Why it matters: tubes without ends, as scanners and segmentations cut them, are where loops are searched for, and what
-# lies beyond a border must be known first. The answer has nothing to do with borders, in neither direction.
+# Why it matters: tubes without ends, as scanners and segmentations cut them, are where loops are searched for, and
+# what lies beyond a border must be known first. The answer has nothing to do with borders, in neither direction.
 . "$(dirname "$0")/lib/packages.sh"
 debian python3-stl=2.9.0-2+b3
 

@@ -3,11 +3,11 @@
 # three-mesh-halfedge 1.0.3 (npm) with three.js 0.187.0: HalfedgeDS.setFromGeometry().
 #
 # Guess: vertices are joined if they are nearer to each other than the tolerance, 1e-10 unless another one is given.
-# What happens: a place is looked up by its three coordinates as whole numbers of that tolerance, written one after the
-# other with nothing between them. (1, 0, 10) and (10, 1, 0), 13.5 apart, give the same digits, as do (2, 0, 30) and
-# (20, 3, 0). Two triangles with these corners have 5 vertices instead of 6, and an edge that is much too long. Two
-# tetrahedra end with the error "Vertices v1 and v2 are not free". With the tolerance 1e-3 it is the same; moved by 0.5
-# along each axis both are right.
+# What happens: a place is looked up by its three coordinates as whole numbers of that tolerance, written one after
+# the other with nothing between them. (1, 0, 10) and (10, 1, 0), 13.5 apart, give the same digits, as do (2, 0, 30)
+# and (20, 3, 0). Two triangles with these corners have 5 vertices instead of 6, and an edge that is much too long.
+# Two tetrahedra end with the error "Vertices v1 and v2 are not free". With the tolerance 1e-3 it is the same; moved
+# by 0.5 along each axis both are right.
 #
 # Why it matters: whole coordinates, and corners in the plane of two axes, are what voxels and drawn bodies have. The
 # joined vertex is a shortcut across the body, for any loop.

@@ -4,13 +4,13 @@
 #
 # Guess: Loop subdivision of a closed mesh is closed, and if the mesh is made smaller the result is made smaller.
 # What happens: places are compared by their first two decimals. A body 2 long with a neck of radius 0.02 comes back
-# closed, with a neck of radius 0.01 it has 960 border edges, all at the neck and where it begins. A torus 6 long keeps
-# 98% of its volume, one 0.06 long is torn, and of one 0.006 long no triangle is left. Without the splitting of edges that
-# comes first by default ("split: false") the meshes stay closed, but the smallest torus keeps 45% of its volume instead
-# of 96%. There is no message.
+# closed, with a neck of radius 0.01 it has 960 border edges, all at the neck and where it begins. A torus 6 long
+# keeps 98% of its volume, one 0.06 long is torn, and of one 0.006 long no triangle is left. Without the splitting of
+# edges that comes first by default ("split: false") the meshes stay closed, but the smallest torus keeps 45% of its
+# volume instead of 96%. There is no message.
 #
-# Why it matters: a mesh is subdivided to have smoother loops. The thin neck is the place that tears, so that borders of
-# holes are there where a closed curve is looked for; and meshes in metres are smaller than this library expects.
+# Why it matters: a mesh is subdivided to have smoother loops. The thin neck is the place that tears, so that borders
+# of holes are there where a closed curve is looked for; and meshes in metres are smaller than this library expects.
 . "$(dirname "$0")/lib/packages.sh"
 npm_packages three@0.187.0 three-subdivide@1.1.5
 

@@ -2,16 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # vedo 2023.4.3 (python3-vedo 2023.4.3-1): Line.length(), Mesh.volume(), Mesh.area(), and OBJ files that it writes.
 #
-# Guess: the length of a closed line is that of the curve that is drawn; the volume of a closed mesh is that of the body,
-# whatever polygons it has, or there is an error; OBJ has at least the digits of single precision.
-# What happens: the segment that closes a line is drawn and not counted: a square of side 1 has length 3. In volumes and
-# areas faces of more than three corners are left out: a cube of six squares is closed, and has volume 0 and area 0, and
-# a pyramid on a square has 80% of its volume. The class of VTK that this calls gives a warning; here warnings are turned
-# off. A mesh that faces inwards has the volume of one that faces outwards. OBJ has five digits: of a body 2 long with a
-# neck of radius 0.01, at 1000, 946 vertices are at 610 places.
+# Guess: the length of a closed line is that of the curve that is drawn; the volume of a closed mesh is that of the
+# body, whatever polygons it has, or there is an error; OBJ has at least the digits of single precision.
+# What happens: the segment that closes a line is drawn and not counted: a square of side 1 has length 3. In volumes
+# and areas faces of more than three corners are left out: a cube of six squares is closed, and has volume 0 and area
+# 0, and a pyramid on a square has 80% of its volume. The class of VTK that this calls gives a warning; here warnings
+# are turned off. A mesh that faces inwards has the volume of one that faces outwards. OBJ has five digits: of a body
+# 2 long with a neck of radius 0.01, at 1000, 946 vertices are at 610 places.
 #
-# Why it matters: the length of a loop around a neck is too small by its last segment, by more the coarser the loop is.
-# Volumes say what a repair changed and which side of a curve is the smaller part. And in OBJ thin necks are gone.
+# Why it matters: the length of a loop around a neck is too small by its last segment, by more the coarser the loop
+# is. Volumes say what a repair changed and which side of a curve is the smaller part. And in OBJ thin necks are gone.
 . "$(dirname "$0")/lib/packages.sh"
 debian python3-vedo=2023.4.3-1
 

@@ -2,16 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Connectome Workbench 1.5.0 (connectome-workbench 1.5.0-2+b1): wb_command -border-length.
 #
-# Guess: the length of a border, "along the surface", is that of the polyline through its points, which lie on edges and
-# are joined within triangles.
-# What happens: a straight border across a flat grid has its length, 20. The border of half of a body, drawn around its
-# neck by -metric-rois-to-border, is a closed polyline of length 0.312 in one plane, and is said to have 0.765. With
-# four times as many vertices around the neck the polyline has length 0.314, and is said to have 1.81: a finer mesh
-# makes it worse. With twice as many rings along the neck 0.765 becomes 0.541. The two circles around a torus are too
-# long, too.
+# Guess: the length of a border, "along the surface", is that of the polyline through its points, which lie on edges
+# and are joined within triangles.
+# What happens: a straight border across a flat grid has its length, 20. The border of half of a body, drawn around
+# its neck by -metric-rois-to-border, is a closed polyline of length 0.312 in one plane, and is said to have 0.765.
+# With four times as many vertices around the neck the polyline has length 0.314, and is said to have 1.81: a finer
+# mesh makes it worse. With twice as many rings along the neck 0.765 becomes 0.541. The two circles around a torus are
+# too long, too.
 #
-# Why it matters: for surfaces of the brain this is how the length of a loop is measured. What it gives for a neck is up
-# to nearly six times the length, and says more about the triangles than about the curve.
+# Why it matters: for surfaces of the brain this is how the length of a loop is measured. What it gives for a neck is
+# up to nearly six times the length, and says more about the triangles than about the curve.
 . "$(dirname "$0")/lib/packages.sh"
 debian connectome-workbench=1.5.0-2+b1 python3-nibabel=5.0.0-2
 
