@@ -19,8 +19,9 @@
 #   examples                            each example compiles on its own, which .ci/run compiles together, and runs
 #   meshes                              all of CGAL's meshes but a point cloud are answered, each curve certified; prints
 #                                       the tables of the manual
-#   selection                           the default call selects what is selected of all, on all of CGAL's meshes of up
-#                                       to 60,000 faces; prints the table of the manual
+#   selection                           the default call selects what is selected of all, on CGAL's meshes of up to
+#                                       60,000 faces, but for two where all constrictions take many minutes; prints the
+#                                       table of the manual
 #   curves                              the certificates of all curves of large meshes, of which .ci/run looks at those
 #                                       that are selected, and girths at 10,000 places
 #   completeness                        which strict constrictions of 300 small meshes random walks find and the
@@ -105,7 +106,8 @@ run() { # STEP
     selection)
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&
         cmake --build --preset release --target selection_of_all &&
-        build/release/test/selection_of_all/selection_of_all --most-faces 60000 data/meshes/*.off
+        printf '%s\n' data/meshes/*.off | grep -v -e cheese -e ChineseDragon |
+        xargs build/release/test/selection_of_all/selection_of_all --most-faces 60000 --wrong 39
       ;;
     curves)
       scripts/setup.sh && scripts/fetch_meshes.sh data/meshes && cmake --preset release "${whole[@]}" &&

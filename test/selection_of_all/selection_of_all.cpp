@@ -2,10 +2,10 @@
 
 // The default call against the selection from all constrictions, and what must hold of the hierarchy of all.
 //
-//   selection_of_all [--most-faces N] MESH...
+//   selection_of_all [--most-faces N] [--wrong W] MESH...
 //
 // Prints a row of a table for each mesh of triangles, of no more than N faces if that is given, and what is wrong. The
-// exit code is 1 if anything is: for the thresholds 0.05 and 0.2 both must select the same curves with the same
+// exit code is 1 if more than W things are, or any if that is not given: for the thresholds 0.05 and 0.2 both must select the same curves with the same
 // prominences, but for those of less than 1.2 times the threshold; and the hierarchy of all must be closed. For 0.01
 // the differences are counted.
 
@@ -134,14 +134,14 @@ std::vector<std::string> faults(const Constrictions& all)
   return result;
 }
 
-// Prints the row of a mesh, and what is wrong. Returns whether anything is.
-bool check(const std::string& file, std::size_t most_faces)
+// Prints the row of a mesh, and what is wrong. Returns how many things are.
+std::size_t check(const std::string& file, std::size_t most_faces)
 {
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh) || num_faces(mesh) > most_faces)
   {
     std::cout << "left out: " << file << '\n';
-    return false;
+    return 0;
   }
   Constrictions all;
   try
@@ -151,7 +151,7 @@ bool check(const std::string& file, std::size_t most_faces)
   catch(const SMC::Invalid_input& e)
   {
     std::cout << "refused: " << file << ": " << e.what() << '\n';
-    return false;
+    return 0;
   }
   const std::string name = file.substr(file.rfind('/') + 1);
   std::cout << "| " << name << " | " << num_faces(mesh) << " | " << all.size();
@@ -166,26 +166,34 @@ bool check(const std::string& file, std::size_t most_faces)
   std::cout << " |" << std::endl;
   for(const std::string& w : wrong)
     std::cout << name << ": " << w << '\n';
-  return !wrong.empty();
+  return wrong.size();
 }
 
 } // namespace
 
 int main(int argc, char* argv[])
 {
-  const bool has_limit = argc > 2 && std::string(argv[1]) == "--most-faces";
-  const std::size_t most_faces = has_limit ? std::stoul(argv[2]) : (std::numeric_limits<std::size_t>::max)();
-  const int first = has_limit ? 3 : 1;
-  bool is_wrong = argc <= first;
+  std::size_t most_faces = (std::numeric_limits<std::size_t>::max)(), most_wrong = 0, wrong = 0;
   try
   {
+    int first = 1;
+    for(; first + 1 < argc; first += 2)
+      if(std::string(argv[first]) == "--most-faces")
+        most_faces = std::stoul(argv[first + 1]);
+      else if(std::string(argv[first]) == "--wrong")
+        most_wrong = std::stoul(argv[first + 1]);
+      else
+        break;
+    if(first >= argc)
+      return 1;
     for(int i = first; i < argc; ++i)
-      is_wrong = check(argv[i], most_faces) || is_wrong;
+      wrong += check(argv[i], most_faces);
   }
   catch(const std::exception& e)
   {
     std::cerr << e.what() << std::endl;
     return 1;
   }
-  return is_wrong ? 1 : 0;
+  std::cout << wrong << " wrong" << std::endl;
+  return wrong > most_wrong ? 1 : 0;
 }
