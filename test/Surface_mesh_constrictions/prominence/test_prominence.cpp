@@ -163,6 +163,18 @@ TEST(Prominence, CurvesOfOtherComponentsDoNotMatter)
     EXPECT_NEAR(*x, *y, 1e-6);
 }
 
+// Their necks are as long and as prominent as each other, and at different places.
+TEST(Prominence, EachOfTwoEqualBodiesHasItsNeck)
+{
+  const test_meshes::Soup body = test_meshes::boxes_with_tube(3);
+  std::vector<Constriction> selected;
+  SMC::select_by_prominence(detect_all(test_meshes::make_mesh(test_meshes::joined(body, body, 20))),
+                            std::back_inserter(selected));
+  ASSERT_EQ(selected.size(), 2u);
+  for(const Constriction& c : selected)
+    EXPECT_FALSE(c.dominated_by());
+}
+
 TEST(Prominence, ComputedAfterwardsItIsWhatTheDetectionComputes)
 {
   const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.1, 3));

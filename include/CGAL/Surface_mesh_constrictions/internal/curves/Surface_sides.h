@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -108,10 +109,12 @@ public:
   }
 
   // The least area that a simple closed curve must sweep to become another one of its class: the area between the two,
-  // also where they cross. Both are moved to the next vertices, to the left and to the right, and the mean is taken.
-  // O(k log k) for k points.
+  // also where they cross; infinite for curves of different components. Both are moved to the next vertices, to the left
+  // and to the right, and the mean is taken. O(k log k) for k points.
   double area_between(const std::vector<Trace_point>& trace, const std::vector<Trace_point>& other) const
   {
+    if(component(trace) != component(other))
+      return (std::numeric_limits<double>::infinity)();
     double sum = 0;
     const std::vector<Trace_point> back = reversed(m_pm, trace), other_back = reversed(m_pm, other);
     for(const std::vector<Trace_point>* t : {&trace, &back})
@@ -184,6 +187,12 @@ public:
   }
 
 private:
+  // A face that stands for the component that a curve is on.
+  Index component(const std::vector<Trace_point>& trace) const
+  {
+    return m_cycles.component(m_pm.face(m_pm.outgoing(vertices_passed(m_pm, trace).front())));
+  }
+
   // Twice the area long.
   static Vector3 normal(const Progressive_mesh& pm, Index f)
   {
