@@ -107,7 +107,7 @@ void lead_twins(const std::vector<double>& lengths, const Isolation& isolation, 
     for(std::size_t k = n; k > 0 && lengths[order[k - 1]] >= (1 - alike_tolerance) * lengths[i]; --k)
     {
       const Index j = order[k - 1];
-      if(!are_alike(e.prominence, entries[j].prominence) || comes_to(j, i))
+      if(!are_like_twins(lengths[i], e.prominence, lengths[j], entries[j].prominence) || comes_to(j, i))
         continue;
       if(const double area = isolation(i, j); area < least)
       {
@@ -252,7 +252,7 @@ inline std::vector<Hierarchy_entry> hierarchy(const Progressive_mesh& pm, const 
   for(std::size_t i = 0; i < numbers.size(); ++i)
   {
     const Barrier* b = &slides.barrier(numbers[i]);
-    const double prominence = prominence_of_barrier(b->length, slides.length(numbers[i]));
+    const double prominence = slides.prominence(numbers[i]);
     const bool has_end = b->end != Barrier_end::NONE;
     std::unordered_set<Index> passed; // they may form a ring, see `break_rings()`
     std::optional<std::size_t> to;

@@ -198,7 +198,7 @@ private:
       double height_before;
       Vertex_pass pass;
       double rise;
-      bool is_second;
+      bool is_second; // the pass is also tried from another curve
 
       double height() const { return (std::max)(height_before, pass.length); }
     };
@@ -213,7 +213,7 @@ private:
     std::vector<Way> ways; // a heap
     std::vector<Index> found(1, m_goal);
     std::unordered_map<Index, std::vector<Tried>> tried; // by vertex
-    const auto before = [&](Index vertex, double rise) {
+    const auto find_tried = [&](Index vertex, double rise) {
       std::vector<Tried>& all = tried[vertex];
       const auto it = std::find_if(all.begin(), all.end(), [&](const Tried& t) {
         return std::abs(t.rise - rise) <= equal_rise_tolerance * m_goal_length;
@@ -228,7 +228,7 @@ private:
         const double rise = p.length - m_tightener.length(curve);
         if(p.vertex == vertex)
           continue;
-        Tried* const t = before(p.vertex, rise);
+        Tried* const t = find_tried(p.vertex, rise);
         if(t == nullptr)
           tried[p.vertex].push_back({rise, 0, false});
         else if(t->is_done || depth <= t->depth)
@@ -247,7 +247,7 @@ private:
       ways.pop_back();
       if(way.is_second)
       {
-        Tried* const t = before(way.pass.vertex, way.rise);
+        Tried* const t = find_tried(way.pass.vertex, way.rise);
         if(t->is_done || t->depth != way.depth)
           continue;
         t->is_done = true;

@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_lengths.h>
 
-#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <vector>
@@ -50,13 +49,14 @@ public:
         .first->second;
   }
 
+  // The prominence of a curve. Cost: that of `barrier()`.
+  double prominence(Index c) { return prominence_of_barrier(barrier(c).length, length(c)); }
+
   // Whether two curves are nearly as long and as prominent as each other and at one place, see `lead_twins()`. Cost:
-  // that of `barrier()` of both, if their lengths are alike.
+  // that of `barrier()` of both.
   bool are_twins(Index c, Index d)
   {
-    if(std::abs(length(c) - length(d)) > alike_tolerance * length(d) ||
-       !are_alike(prominence_of_barrier(barrier(c).length, length(c)),
-                  prominence_of_barrier(barrier(d).length, length(d))))
+    if(!are_like_twins(length(c), prominence(c), length(d), prominence(d)))
       return false;
     const std::vector<Trace_point> points = trace(m_pm, m_search.tightener().arcs(c)),
                                    others = trace(m_pm, m_search.tightener().arcs(d));

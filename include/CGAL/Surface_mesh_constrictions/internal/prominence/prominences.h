@@ -7,8 +7,10 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Barrier_search.h>
+#include <CGAL/Surface_mesh_constrictions/internal/prominence/rivals.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -43,6 +45,13 @@ struct Prominence
 inline double prominence_of_barrier(double barrier, double length)
 {
   return barrier > length ? barrier / length - 1 : 0; // also where the length is rounded to zero
+}
+
+// Whether two curves of these lengths and prominences are twins, if they are at one place: see `lead_twins()`.
+inline bool are_like_twins(double length, double prominence, double other_length, double other_prominence)
+{
+  return std::abs(length - other_length) <= alike_tolerance * (std::max)(length, other_length) &&
+         are_alike(prominence, other_prominence);
 }
 
 // The prominence that follows from the barrier around the curve from which the last search started.
