@@ -593,6 +593,11 @@ std::terminate_handler handler_of_other_exceptions = nullptr;
     }
     catch(...)
     {}
+  else if(std::uncaught_exceptions() > 0) // a destructor has thrown while another exception was on its way
+  {
+    std::fputs(memory_message, stderr);
+    std::_Exit(1);
+  }
   handler_of_other_exceptions();
   std::abort();
 }
