@@ -146,6 +146,17 @@ TEST_F(Faults, EachAllocationMayFail)
   fail_calls(segment, {"new"}, "");
 }
 
+// There are destructors there that allocate.
+TEST_F(Faults, MemoryMayBeExhaustedWhereOptionsAreDescribed)
+{
+  for(long n = 1; n < 4000; n += 13)
+  {
+    const Result r = run_with_fault("new:" + std::to_string(n) + ":on", detect);
+    EXPECT_TRUE(r.exit_code == 1 || r.exit_code == 3) << n << ' ' << r.exit_code << ' ' << r.err;
+    EXPECT_EQ(r.err.rfind("constrictions: ", 0), 0u) << n << ' ' << r.err;
+  }
+}
+
 TEST_F(Faults, MemoryMayBeExhaustedAtAnyPlace)
 {
   // without a JSON file: the destructor of nlohmann's values allocates memory, and ends the process where there is none
