@@ -19,6 +19,7 @@
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Non_face_triangle_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Refused_collapse_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Saddle_seeds}
+/// \cgalHasModels{CGAL::Surface_mesh_constrictions::Gauss_bonnet_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Cut_locus_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Local_boundary_seeds}
 /// \cgalHasModels{CGAL::Surface_mesh_constrictions::Local_cut_locus_seeds}

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
 #include <CGAL/Surface_mesh_constrictions/boundary_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
+#include <CGAL/Surface_mesh_constrictions/internal/seeds/shrinks_in_small_disc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_loop.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/unfolding.h>
 #include <CGAL/Surface_mesh_constrictions/non_face_triangles.h>
@@ -103,18 +104,44 @@ public:
   }
 
 private:
-  static bool is_saddle(const Progressive_mesh& pm, Index v)
+  static bool is_saddle(const Progressive_mesh& pm, Index v) { return internal::total_angle(pm, v) > 2 * CGAL_PI; }
+
+  SeedSource m_source;
+};
+
+/// \ingroup PkgSurfaceMeshConstrictionsRef
+/// Seed source that writes those seeds of another source that are not seen to shorten to a point. Left out is a seed of
+/// which one side is a small disc with angles of at most pi along the seed, beside which there are at least pi, and whose
+/// positive curvature, the angle defects of the vertices inside, adds up to less than 2 pi: the seed does not leave the
+/// disc as it gets shorter, and by the theorem of Gauss and Bonnet no closed geodesic of its surface lies in there. In
+/// flat and developable regions of finely meshed bodies nearly all non-face triangles are such.
+///
+/// \cgalModels{ConstrictionSeedSource}
+///
+/// \tparam SeedSource a model of `ConstrictionSeedSource`
+///
+/// \cost that of the other source, plus the degrees of the vertices of its seeds
+template <class SeedSource>
+class Gauss_bonnet_seeds
+{
+public:
+  /// \param source the source whose seeds are filtered
+  explicit Gauss_bonnet_seeds(SeedSource source = SeedSource()) : m_source(std::move(source)) {}
+
+  /// writes the seeds of the level
+  template <class OutputIterator>
+  OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {
-    double total = 0;
-    const Index begin = pm.outgoing(v);
-    Index h = begin;
-    do
-    {
-      total += internal::corner_angle(pm, h);
-      h = pm.ccw(h);
-    } while(h != begin);
-    return total > 2 * CGAL_PI;
+    std::vector<Seed_curve> seeds;
+    m_source(pm, level, std::back_inserter(seeds));
+    for(Seed_curve& s : seeds)
+      if(!internal::shrinks_in_small_disc(pm, s.vertices, most_faces))
+        *out++ = std::move(s);
+    return out;
   }
+
+private:
+  static constexpr std::size_t most_faces = 32; // of a disc that is looked at
 
   SeedSource m_source;
 };
@@ -283,10 +310,12 @@ private:
 ///
 /// \cgalModels{ConstrictionSeedSource}
 struct Default_seed_sources
-  : public Seed_sources<Non_face_triangle_seeds, Cut_locus_seeds, Section_seeds, Boundary_seeds>
+  : public Seed_sources<Gauss_bonnet_seeds<Non_face_triangle_seeds>, Cut_locus_seeds, Section_seeds, Boundary_seeds>
 {
-  /// non-face triangles, cut locus, sections and boundaries, each with its defaults
-  Default_seed_sources() : Seed_sources(Non_face_triangle_seeds(), Cut_locus_seeds(), Section_seeds(), Boundary_seeds())
+  /// non-face triangles that are not seen to shorten to a point, cut locus, sections and boundaries, each with its
+  /// defaults
+  Default_seed_sources()
+    : Seed_sources(Gauss_bonnet_seeds<Non_face_triangle_seeds>(), Cut_locus_seeds(), Section_seeds(), Boundary_seeds())
   {}
 };
 
