@@ -4,13 +4,14 @@
 #include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
+#include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/seeds/shrinks_in_small_disc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
 #include <CGAL/Surface_mesh_constrictions/make_progressive_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/seed_sources.h>
+#include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
 
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/number_utils.h>
 
@@ -21,6 +22,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace test_gauss_bonnet_seeds {
@@ -145,17 +148,15 @@ TEST(GaussBonnetSeeds, OnATorusALoopAroundTheTubeIsKept)
   EXPECT_EQ(kept, 5u);
 }
 
-// The collapses of CGAL's simplification to the end.
+// The collapses of the default simplification to the end.
 SMC::Collapse_record simplified(const Soup& soup)
 {
-  typedef test_meshes::Mesh Mesh;
-  Mesh mesh = test_meshes::make_mesh(soup);
-  const auto stop = [](const auto&, const auto&, auto, auto) { return false; };
-  const CGAL::Surface_mesh_simplification::GarlandHeckbert_plane_policies<Mesh, test_meshes::Kernel> policies(mesh);
+  SMC::Simplification_mesh mesh = test_meshes::make_graph<SMC::Simplification_mesh>(soup);
+  const auto policies = SMC::Garland_heckbert_policies()(mesh);
   SMC::Collapse_record record;
   const auto vim = get(boost::vertex_index, mesh);
   CGAL::Surface_mesh_simplification::edge_collapse(
-      mesh, stop,
+      mesh, [](const auto&, const auto&, auto, auto) { return false; },
       CGAL::parameters::get_cost(policies.get_cost())
           .get_placement(policies.get_placement())
           .visitor(SMC::Collapse_recording_visitor<std::decay_t<decltype(vim)>>(record, vim)));
