@@ -86,6 +86,36 @@ TEST(PathsToInput, KeepTheirHomologyClassAndAreJoinedByEdges)
   }
 }
 
+TEST(PathsBetweenLevels, KeepTheirHomologyClassAndAreTheSameTheSecondTime)
+{
+  std::mt19937 random(2);
+  for(unsigned seed = 0; seed < 3; ++seed)
+  {
+    const Mesh mesh = test_meshes::make_mesh(test_meshes::torus(0.1, seed));
+    Progressive_mesh pm = simplified(mesh);
+    pm.go_to_level(2 * pm.number_of_collapses() / 3);
+    const SMC::internal::Level_copy coarse(pm);
+    pm.go_to_level(pm.number_of_collapses() / 3);
+    const SMC::internal::Level_copy fine(pm);
+    pm.go_to_level(0);
+    const SMC::internal::Surface_cycles cycles(pm);
+    SMC::internal::Paths_to_finer_level to_fine(fine.surface()), to_input(pm);
+    SMC::internal::Paths_from_level from_coarse(to_fine, coarse, &fine), from_fine(to_input, fine);
+    for(int i = 0; i < 50; ++i)
+    {
+      std::vector<Index> loop;
+      for(Mesh::Vertex_index v : random_loops::random_loop(mesh, random))
+        loop.push_back(static_cast<Index>(v));
+      const std::vector<Index> there = coarse.path(loop), between = from_coarse(there);
+      EXPECT_EQ(between, to_fine(coarse, fine, there));
+      EXPECT_EQ(between, from_coarse(there));
+      for(std::size_t j = 0; j < between.size() && between.size() > 2; ++j)
+        EXPECT_NE(fine.surface().halfedge(between[j], between[(j + 1) % between.size()]), SMC::null_index);
+      EXPECT_EQ(cycles.homology_class(from_fine(between)), cycles.homology_class(loop));
+    }
+  }
+}
+
 TEST(MeasuringLevels, OnlyALargeSurfaceHasThem)
 {
   for(int around : {60, 180})

@@ -27,15 +27,24 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Measures curves of T^0 on a coarser level. A curve is tightened on the level; the result stands for it if it lies at
-// the same place and is about as long. The curve behind the barrier is led back to T^0, and must be shorter there, too.
+// the same place and is about as long. The curve behind the barrier is led back to T^0, and must be shorter there, too. On
+// the way it is tightened on the levels between: where a level is much coarser than the next, a curve lies many faces
+// beside what it becomes, and has to pass every vertex between.
 class Level_search
 {
 public:
-  // `to_input` leads to T^0, `pm`. Linear in the size of the level.
-  Level_search(const Progressive_mesh& pm, Paths_to_finer_level& to_input, const Measuring_level& level)
+  // `to_input` leads to T^0, `pm`; `finer` is the search on the next finer level, or null. Linear in the size of both
+  // levels.
+  Level_search(const Progressive_mesh& pm, Paths_to_finer_level& to_input, const Measuring_level& level,
+               Level_search* finer)
     : m_pm(pm), m_to_input(to_input, level.copy), m_level(level),
-      m_search(level.copy.surface(), level.lengths, level.angles)
-  {}
+      m_search(level.copy.surface(), level.lengths, level.angles), m_finer(finer)
+  {
+    if(finer == nullptr)
+      return;
+    m_paths_on_finer.emplace(finer->m_level.copy.surface());
+    m_to_finer.emplace(*m_paths_on_finer, level.copy, &finer->m_level.copy);
+  }
 
   // The prominence of the curve from which `input` searched last; none if this level does not hold that curve. Cost:
   // that of `Barrier_search::search()` on the level, plus that of tightening curves on T^0.
@@ -156,14 +165,24 @@ private:
     Index curve;             // the number of the curve that it becomes; null_index if it shortens to a point
   };
 
+  // A path of T^0 where number `c` of this level lies.
+  std::vector<Index> path_on_input(Index c)
+  {
+    const Boundary_tightener& here = m_search.tightener();
+    const std::vector<Index> path = path_beside_curve(here.surface(), trace(here.surface(), here.arcs(c)));
+    if(m_finer != nullptr)
+      if(const Index d = m_finer->m_search.tightener().tighten_path((*m_to_finer)(path)); d != null_index)
+        return m_finer->path_on_input(d);
+    return m_to_input(path);
+  }
+
   // The curve that number `c` of this level becomes on T^0. Curves come up repeatedly; each is tightened once.
   const On_input& on_input(Barrier_search& input, Index c)
   {
     const auto known = m_on_input.find(c);
     if(known != m_on_input.end())
       return known->second;
-    const Boundary_tightener& here = m_search.tightener();
-    On_input there = {m_to_input(path_beside_curve(here.surface(), trace(here.surface(), here.arcs(c)))), null_index};
+    On_input there = {path_on_input(c), null_index};
     there.curve = input.tightener().tighten_path(there.path);
     return m_on_input.emplace(c, std::move(there)).first->second;
   }
@@ -210,8 +229,11 @@ private:
   Paths_from_level m_to_input;
   const Measuring_level& m_level;
   Barrier_search m_search;
-  std::unordered_map<Index, Found> m_found;       // by number here
-  std::unordered_map<Index, On_input> m_on_input; // likewise
+  Level_search* m_finer;
+  std::optional<Paths_to_finer_level> m_paths_on_finer; // set if there is one
+  std::optional<Paths_from_level> m_to_finer;           // likewise
+  std::unordered_map<Index, Found> m_found;             // by number here
+  std::unordered_map<Index, On_input> m_on_input;       // likewise
 };
 
 } // namespace internal

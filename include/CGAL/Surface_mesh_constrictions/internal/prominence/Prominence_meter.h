@@ -75,8 +75,8 @@ private:
              const std::deque<Measuring_level>& levels)
       : on_input(pm, lengths, angles), to_input(pm)
     {
-      for(const Measuring_level& level : levels)
-        on_levels.emplace_back(pm, to_input, level);
+      for(auto level = levels.rbegin(); level != levels.rend(); ++level)
+        on_levels.emplace_front(pm, to_input, *level, on_levels.empty() ? nullptr : &on_levels.front());
     }
   };
 

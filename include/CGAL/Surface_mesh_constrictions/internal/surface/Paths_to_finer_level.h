@@ -131,13 +131,15 @@ private:
   Index m_search = 0;
 };
 
-// Leads closed paths of edges of one level back to T^0. Curves that lie near each other pass the same edges, so the way
-// of each edge is searched once. Memory: in proportion to the ways of the edges that were passed.
+// Leads closed paths of edges of one level back to a finer one. Curves that lie near each other pass the same edges, so
+// the way of each edge is searched once. Memory: in proportion to the ways of the edges that were passed.
 class Paths_from_level
 {
 public:
-  // `to_finer` leads to T^0, from which the level must have been copied.
-  Paths_from_level(Paths_to_finer_level& to_finer, const Level_copy& level) : m_to_finer(to_finer), m_level(level) {}
+  // `to_finer` leads to T^0, from which the level must have been copied, or to a finer level of the same mesh.
+  Paths_from_level(Paths_to_finer_level& to_finer, const Level_copy& level, const Level_copy* finer = nullptr)
+    : m_to_finer(to_finer), m_level(level), m_finer(finer)
+  {}
 
   // As `Paths_to_finer_level`, with the same result.
   std::vector<Index> operator()(const std::vector<Index>& path)
@@ -161,17 +163,25 @@ private:
     const auto [at, is_new] = m_ways.try_emplace((static_cast<std::uint64_t>(u) << 32) | v);
     if(is_new)
       m_to_finer.append(
-          m_level.original(u), m_level.original(v),
+          standing_for(u), standing_for(v),
           [this, u, v](Index x) {
-            const Index merged = m_level.vertex(x);
+            const Index merged = m_level.vertex(m_finer == nullptr ? x : m_finer->original(x));
             return merged == u || merged == v;
           },
           at->second);
     return at->second;
   }
 
+  // The vertex of the finer level that stands for one of the level.
+  Index standing_for(Index v) const
+  {
+    const Index original = m_level.original(v);
+    return m_finer == nullptr ? original : m_finer->vertex(original);
+  }
+
   Paths_to_finer_level& m_to_finer;
   const Level_copy& m_level;
+  const Level_copy* m_finer;                                    // null if that is T^0
   std::unordered_map<std::uint64_t, std::vector<Index>> m_ways; // by the numbers of the two ends
 };
 
