@@ -7,8 +7,8 @@
 # and the volume that are printed are those of the surface in the file.
 # What happens: only the body that comes first is right. Every later one is turned: of four atoms that are apart three
 # face inwards, and the volume by the faces is that of -2 atoms instead of 4. The wall of the cavity in a hollow ball of
-# atoms is turned as well, so that the cavity counts as filled twice. All surfaces are closed, and nothing is said. The
-# area that is printed is 9% greater than that of the faces, and the volume by a fifth.
+# atoms is turned as well, so that the cavity counts as filled twice. All surfaces are closed, and nothing is said. Of
+# single atoms the area that is printed is 9% greater than that of the faces, and the volume by a fifth.
 #
 # Why it matters: chains, complexes and molecules with cavities are the usual input, and necks of their surfaces are
 # looked for. Whatever tells the inside from the outside by the orientation takes a protein for a hole.
