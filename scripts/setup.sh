@@ -50,7 +50,7 @@ for argument in "$@"; do
   esac
 done
 if "$for_tests"; then
-  packages+=(doxygen libbenchmark-dev libeigen3-dev libgtest-dev libopenmesh-dev python3)
+  packages+=(doxygen libbenchmark-dev libeigen3-dev libgtest-dev libmeshoptimizer-dev libopenmesh-dev python3)
   optional+=(parallel python3-jsonschema)
   # for the Python module
   optional+=(pybind11-dev python3-dev python3-meshio python3-numpy python3-pytest)

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace benchmark_meshes {
@@ -121,6 +122,58 @@ Mesh bed_of_mushrooms(int faces, int mushrooms)
         for(const std::array<Vertex, 3>& t : triangles)
           side == 0 ? mesh.add_face(t[0], t[1], t[2]) : mesh.add_face(t[0], t[2], t[1]);
       }
+  return mesh;
+}
+
+Mesh flat_boxes(int faces)
+{
+  typedef std::array<int, 3> Position; // of a cube, or of a vertex: its coordinates
+  const auto is_cube = [](const Position& c) {
+    const bool is_bar = c[0] == 3 || c[0] == 4;
+    const int least = is_bar ? 1 : 0, greatest = is_bar ? 1 : 2;
+    return c[0] >= 0 && c[0] <= 7 && c[1] >= least && c[1] <= greatest && c[2] >= least && c[2] <= greatest;
+  };
+  constexpr int squares = 114; // of cubes, at the surface
+  const int n = (std::max)(1, static_cast<int>(std::lround(std::sqrt(faces / (2.0 * squares)))));
+  Mesh mesh;
+  std::map<Position, Vertex> vertices;
+  const auto vertex_at = [&](const Position& p) {
+    const auto found = vertices.emplace(p, Vertex());
+    if(found.second)
+      found.first->second = mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+    return found.first->second;
+  };
+  // The square of a cube on one of its sides. Directions u and v, in this order, turn around its normal.
+  const auto add_square = [&](const Position& cube, std::size_t axis, bool is_upper) {
+    const std::size_t u = (axis + (is_upper ? 1 : 2)) % 3, v = (axis + (is_upper ? 2 : 1)) % 3;
+    const auto at = [&](int a, int b) {
+      Position p = {{n * cube[0], n * cube[1], n * cube[2]}};
+      p[axis] += is_upper ? n : 0;
+      p[u] += a;
+      p[v] += b;
+      return vertex_at(p);
+    };
+    for(int a = 0; a < n; ++a)
+      for(int b = 0; b < n; ++b)
+      {
+        const Vertex p = at(a, b), q = at(a + 1, b), r = at(a + 1, b + 1), s = at(a, b + 1);
+        const bool is_from_p = (a + b) % 2 == 1; // the diagonal
+        mesh.add_face(p, q, is_from_p ? r : s);
+        mesh.add_face(is_from_p ? p : q, r, s);
+      }
+  };
+  for(int x = 0; x < 8; ++x)
+    for(int y = 0; y < 3; ++y)
+      for(int z = 0; z < 3; ++z)
+        for(std::size_t axis = 0; axis < 3; ++axis)
+          for(const bool is_upper : {false, true})
+          {
+            const Position cube = {{x, y, z}};
+            Position neighbour = cube;
+            neighbour[axis] += is_upper ? 1 : -1;
+            if(is_cube(cube) && !is_cube(neighbour))
+              add_square(cube, axis, is_upper);
+          }
   return mesh;
 }
 

@@ -19,6 +19,10 @@ Mesh chain_of_necks(int faces, int necks);
 /// neck
 Mesh bed_of_mushrooms(int faces, int mushrooms);
 
+/// two boxes of 3x3x3 cubes joined by a bar of 2 cubes, about the given number of faces: each square of its surface is
+/// a grid, so that most vertices lie in flat faces, all edges have one of two lengths, and coordinates are integers
+Mesh flat_boxes(int faces);
+
 /// the mesh of a file after some Loop subdivisions, which make four faces of each; empty if there is no such file
 Mesh subdivided(const std::string& file, int subdivisions);
 

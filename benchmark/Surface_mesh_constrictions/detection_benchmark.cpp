@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whole detection, with one thread and with all, against CGAL's edge_collapse() alone, with the same policies on a copy
-// of the same mesh, and against OpenMesh's quadric decimater, where that is installed.
+// Whole detection, with one thread and with all, against other programs on the same mesh: CGAL's edge_collapse() alone,
+// with the same policies on a copy, and, where they are installed, OpenMesh's quadric decimater on a copy, and
+// meshoptimizer's simplification of arrays to 1,000 faces. The mesh is in memory: reading and converting it is left
+// out.
 //
-// Meshes: surfaces with one neck and with many, of about 1,000 to 1,000,000 faces; and, with CONSTRICTIONS_MESH_DIR in
-// the environment, its armadillo.off after 0, 1 and 2 Loop subdivisions.
-// Counters: faces, curves; milliseconds of the stages, of which `copy` is what comes before the first one, checking and
-// copying the mesh, and `record` what the stage SEEDS takes without a seed source: building the progressive mesh from
-// the record; peak_MB is what the process's peak memory rose to, which only means something if one benchmark is run
-// alone (--benchmark_filter). run_benchmarks.py does that, and makes tables and plots.
+// Meshes: surfaces with one neck and with many, of about 1,000 to 1,000,000 faces; two boxes joined by a bar, all of
+// grids in flat squares, of about 1,000 to 820,000 faces; and, with CONSTRICTIONS_MESH_DIR in the environment, its
+// armadillo.off after 0 to 4 Loop subdivisions, of 52,000 to 13,312,000 faces. What takes minutes on a mesh is left
+// out there.
+// Counters: faces, curves; faces_reached by meshoptimizer, which may stop before; milliseconds of the stages, of which
+// `copy` is what comes before the first one, checking and copying the mesh, and `record` what the stage SEEDS takes
+// without a seed source: building the progressive mesh from the record; peak_MB is what the process's memory rose to,
+// and own_bytes by how many bytes a face that is above its memory before, which holds the mesh, and for OpenMesh and
+// meshoptimizer their own one, too. Both only mean something if one benchmark is run alone (--benchmark_filter).
+// run_benchmarks.py does that, and makes tables and plots.
 
 #include "benchmark_meshes.h"
+#include "meshoptimizer_simplifier.h"
 #include "openmesh_decimater.h"
+#include "peak_memory.h"
 
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
@@ -22,8 +30,6 @@
 #include <CGAL/tags.h>
 
 #include <benchmark/benchmark.h>
-
-#include <sys/resource.h>
 
 #include <array>
 #include <chrono>
@@ -46,7 +52,8 @@ enum Family
 {
   ONE_NECK,
   MANY_NECKS,
-  REAL
+  REAL,
+  FLAT
 };
 
 // The size is the number of faces, or of subdivisions of the real mesh.
@@ -57,6 +64,8 @@ Mesh make_mesh(std::int64_t family, std::int64_t size)
     return benchmark_meshes::chain_of_necks(n, 1);
   if(family == MANY_NECKS)
     return benchmark_meshes::bed_of_mushrooms(n, n / 500);
+  if(family == FLAT)
+    return benchmark_meshes::flat_boxes(n);
   const char* const directory = std::getenv("CONSTRICTIONS_MESH_DIR");
   return directory == nullptr ? Mesh() : benchmark_meshes::subdivided(std::string(directory) + "/armadillo.off", n);
 }
@@ -84,38 +93,27 @@ struct Never_stop
   }
 };
 
-void report(benchmark::State& state, const Mesh& mesh)
+void report(benchmark::State& state, const Mesh& mesh, const Peak_memory& memory)
 {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  state.counters["faces"] = static_cast<double>(mesh.number_of_faces());
-  state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
+  const double faces = static_cast<double>(mesh.number_of_faces());
+  state.counters["faces"] = faces;
+  state.counters["peak_MB"] = static_cast<double>(memory.peak()) / (1024 * 1024);
+  state.counters["own_bytes"] = static_cast<double>(memory.rise()) / faces;
 }
 
-void edge_collapse_alone(benchmark::State& state)
+std::vector<std::array<double, 3>> points_of(const Mesh& mesh)
 {
-  const Mesh& mesh = mesh_of(state);
-  if(mesh.is_empty())
-    return state.SkipWithError(no_mesh);
-  for(auto _ : state)
-  {
-    Mesh copy = mesh;
-    const SMS::GarlandHeckbert_plane_policies<Mesh, Kernel> policies(copy);
-    SMS::edge_collapse(copy, Never_stop(),
-                       CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
-  }
-  report(state, mesh);
-}
-
-void openmesh_decimater(benchmark::State& state)
-{
-  const Mesh& mesh = mesh_of(state);
-  if(mesh.is_empty())
-    return state.SkipWithError(no_mesh);
   std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
+  points.reserve(mesh.number_of_vertices());
   for(auto v : mesh.vertices())
     points.push_back({{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()}});
+  return points;
+}
+
+std::vector<std::array<std::size_t, 3>> triangles_of(const Mesh& mesh)
+{
+  std::vector<std::array<std::size_t, 3>> triangles;
+  triangles.reserve(mesh.number_of_faces());
   for(auto f : mesh.faces())
   {
     triangles.emplace_back();
@@ -123,11 +121,57 @@ void openmesh_decimater(benchmark::State& state)
     for(auto v : mesh.vertices_around_face(mesh.halfedge(f)))
       triangles.back()[i++] = v;
   }
-  const Openmesh_decimater decimater(points, triangles);
+  return triangles;
+}
+
+void edge_collapse_alone(benchmark::State& state)
+{
+  const Mesh& mesh = mesh_of(state);
+  if(mesh.is_empty())
+    return state.SkipWithError(no_mesh);
+  const Peak_memory memory;
+  for(auto _ : state)
+  {
+    Mesh copy = mesh;
+    const SMS::GarlandHeckbert_plane_policies<Mesh, Kernel> policies(copy);
+    SMS::edge_collapse(copy, Never_stop(),
+                       CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
+  }
+  report(state, mesh, memory);
+}
+
+void openmesh_decimater(benchmark::State& state)
+{
+  const Mesh& mesh = mesh_of(state);
+  if(mesh.is_empty())
+    return state.SkipWithError(no_mesh);
+  const Openmesh_decimater decimater(points_of(mesh), triangles_of(mesh));
+  const Peak_memory memory;
   for(auto _ : state)
     if(decimater.collapses_of_a_copy() == 0)
       return state.SkipWithError("OpenMesh is not installed");
-  report(state, mesh);
+  report(state, mesh, memory);
+}
+
+void meshoptimizer_simplify(benchmark::State& state)
+{
+  constexpr std::size_t target = 1000;
+  const Mesh& mesh = mesh_of(state);
+  if(mesh.is_empty())
+    return state.SkipWithError(no_mesh);
+  if(mesh.number_of_faces() < 2 * target)
+    return state.SkipWithError("the mesh has hardly more faces than it is to be simplified to");
+  Meshoptimizer_simplifier simplifier(points_of(mesh), triangles_of(mesh));
+  const Peak_memory memory;
+  std::size_t reached = 0;
+  for(auto _ : state)
+  {
+    reached = simplifier.faces_after_simplification(target);
+    if(reached == 0)
+      return state.SkipWithError("meshoptimizer is not installed");
+  }
+  report(state, mesh, memory);
+  state.counters["faces_reached"] = static_cast<double>(reached);
 }
 
 // Adds up the time of the stages, and of what comes before the first one. `times.begin` must be when that begins.
@@ -167,6 +211,7 @@ void whole_detection(benchmark::State& state)
     return state.SkipWithError(no_mesh);
   std::vector<SMC::Constriction<Mesh>> constrictions;
   Stage_clock::Times times, without_seeds;
+  const Peak_memory memory;
   for(auto _ : state)
   {
     constrictions.clear();
@@ -174,7 +219,7 @@ void whole_detection(benchmark::State& state)
     SMC::detect_constrictions<ConcurrencyTag>(mesh, std::back_inserter(constrictions),
                                               CGAL::parameters::visitor(Stage_clock(times)));
   }
-  report(state, mesh);
+  report(state, mesh, memory);
   std::vector<SMC::Constriction<Mesh>> none;
   SMC::detect_constrictions<ConcurrencyTag>(
       mesh, std::back_inserter(none),
@@ -199,12 +244,32 @@ void arguments(benchmark::internal::Benchmark* b)
       b->Args({family, faces});
   for(int subdivisions : {0, 1, 2})
     b->Args({REAL, subdivisions});
+  for(int faces : {1000, 10000, 100000})
+    b->Args({FLAT, faces});
 }
 
-BENCHMARK(edge_collapse_alone)->Apply(arguments);
+// OpenMesh's decimater takes minutes here.
+void large_flat_argument(benchmark::internal::Benchmark* b) { b->Args({FLAT, 820000}); }
+
+// Whatever has a queue of all edges takes minutes here.
+void large_real_arguments(benchmark::internal::Benchmark* b)
+{
+  for(int subdivisions : {3, 4})
+    b->Args({REAL, subdivisions});
+}
+
+void all_arguments(benchmark::internal::Benchmark* b)
+{
+  arguments(b);
+  large_flat_argument(b);
+  large_real_arguments(b);
+}
+
+BENCHMARK(edge_collapse_alone)->Apply(arguments)->Apply(large_flat_argument);
 BENCHMARK(openmesh_decimater)->Apply(arguments);
-BENCHMARK_TEMPLATE(whole_detection, CGAL::Sequential_tag)->Apply(arguments);
-BENCHMARK_TEMPLATE(whole_detection, CGAL::Parallel_if_available_tag)->Apply(arguments);
+BENCHMARK(meshoptimizer_simplify)->Apply(all_arguments);
+BENCHMARK_TEMPLATE(whole_detection, CGAL::Sequential_tag)->Apply(all_arguments);
+BENCHMARK_TEMPLATE(whole_detection, CGAL::Parallel_if_available_tag)->Apply(all_arguments);
 
 } // namespace
 
