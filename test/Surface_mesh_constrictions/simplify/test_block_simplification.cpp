@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "include/open_meshes.h"
 #include "include/test_meshes.h"
 
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
@@ -63,9 +64,12 @@ Block_simplification small_blocks()
 
 std::vector<test_meshes::Soup> soups()
 {
-  return {test_meshes::torus(0.1, 1), test_meshes::chain_of_necks(0.05, 2),
-          test_meshes::relabelled(test_meshes::torus(0.05, 3), 3), test_meshes::branches(3),
-          test_meshes::joined(test_meshes::dumbbell(0.05, 4), test_meshes::torus(0.1, 5), 30)};
+  return {test_meshes::torus(0.1, 1),
+          test_meshes::chain_of_necks(0.05, 2),
+          test_meshes::relabelled(test_meshes::torus(0.05, 3), 3),
+          test_meshes::branches(3),
+          test_meshes::joined(test_meshes::dumbbell(0.05, 4), test_meshes::torus(0.1, 5), 30),
+          open_meshes::with_random_holes(test_meshes::torus(0.1, 6), 6, 6)};
 }
 
 // Applies the collapses one by one; each must be one of an edge whose ends share two neighbours, those opposite to it.

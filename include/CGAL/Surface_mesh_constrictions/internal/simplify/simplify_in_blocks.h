@@ -77,58 +77,53 @@ struct Face_block
   std::size_t number_of_vertices_inside = 0, number_of_edges_inside = 0;
 };
 
-// Copies a block of a surface. `number` has a place for each vertex of the surface; those of vertices inside the block
-// are overwritten. Linear in the block, but for its border.
+// Copies a block of a surface. `number` has a place for each vertex of the surface, null_index at first; those of the
+// vertices inside the block are written. Linear in the block, but for its border.
 inline Face_block make_face_block(const Surface_in_blocks& whole, const Face_blocks& blocks, Index block,
                                   std::vector<Index>& number)
 {
   Face_block result;
   Partial_surface& s = result.surface;
-  std::vector<Index> border;
-  const Index faces = blocks.number_of_faces(block);
-  for(Index i = 0; i < faces; ++i)
-    for(Index h = 3 * blocks.face(block, i), end = h + 3; h < end; ++h)
+  std::vector<Index> at_border; // halfedges out of vertices at the border
+  s.table.halfedges.reserve(3 * static_cast<std::size_t>(blocks.number_of_faces(block)));
+  for(Index i = 0; i < blocks.number_of_faces(block); ++i)
+    for(Index k = 0; k < 3; ++k)
     {
-      const Index v = whole.table.halfedges[h].source;
-      if(blocks.block_of_vertex(v) == null_index)
-        border.push_back(v);
-      else
-        number[v] = null_index;
-    }
-  std::sort(border.begin(), border.end());
-  border.erase(std::unique(border.begin(), border.end()), border.end());
-  for(Index i = 0; i < faces; ++i)
-    for(Index h = 3 * blocks.face(block, i), end = h + 3; h < end; ++h)
-    {
-      const Index v = whole.table.halfedges[h].source;
-      if(blocks.block_of_vertex(v) == null_index || number[v] != null_index)
+      const Corner_table::Halfedge& h = whole.table.halfedges[3 * blocks.face(block, i) + k];
+      const Index beside = h.opposite == null_index ? null_index : blocks.place(block, h.opposite / 3);
+      s.table.halfedges.push_back({h.source, beside == null_index ? null_index : 3 * beside + h.opposite % 3});
+      if(blocks.block_of_vertex(h.source) == null_index)
+      {
+        at_border.push_back(3 * i + k);
         continue;
-      number[v] = static_cast<Index>(s.vertices.size());
-      s.vertices.push_back(v);
+      }
+      Index& local = number[h.source];
+      if(local == null_index)
+      {
+        local = static_cast<Index>(s.vertices.size());
+        s.vertices.push_back(h.source);
+      }
+      s.table.halfedges.back().source = local;
     }
-  const Index n = static_cast<Index>(s.vertices.size());
-  result.number_of_vertices_inside = n;
-  s.vertices.insert(s.vertices.end(), border.begin(), border.end());
+  const std::size_t inside = result.number_of_vertices_inside = s.vertices.size();
+  const auto source = [&s](Index h) -> Index& { return s.table.halfedges[h].source; };
+  std::sort(at_border.begin(), at_border.end(), [&source](Index g, Index h) { return source(g) < source(h); });
+  for(Index h : at_border)
+  {
+    if(s.vertices.size() == inside || s.vertices.back() != source(h))
+      s.vertices.push_back(source(h));
+    source(h) = static_cast<Index>(s.vertices.size() - 1);
+  }
+  s.points.reserve(s.vertices.size());
   for(Index v : s.vertices)
     s.points.push_back(whole.points[v]);
-
   s.table.outgoing.resize(s.vertices.size());
-  s.table.halfedges.reserve(3 * static_cast<std::size_t>(faces));
-  for(Index i = 0; i < faces; ++i)
-    for(Index h = 3 * blocks.face(block, i), end = h + 3; h < end; ++h)
-    {
-      const Index o = whole.table.halfedges[h].opposite, v = whole.table.halfedges[h].source;
-      const Index local =
-          blocks.block_of_vertex(v) != null_index
-              ? number[v]
-              : n + static_cast<Index>(std::lower_bound(border.begin(), border.end(), v) - border.begin());
-      const Index beside = o == null_index ? null_index : blocks.place(block, o / 3);
-      s.table.outgoing[local] = static_cast<Index>(s.table.halfedges.size());
-      s.table.halfedges.push_back({local, beside == null_index ? null_index : 3 * beside + o % 3});
-    }
   for(Index h = 0; h < s.table.halfedges.size(); ++h)
-    result.number_of_edges_inside += h < s.table.halfedges[h].opposite && s.table.halfedges[h].source < n &&
-                                     s.table.halfedges[Corner_table::next(h)].source < n;
+  {
+    s.table.outgoing[source(h)] = h;
+    result.number_of_edges_inside +=
+        h < s.table.halfedges[h].opposite && source(h) < inside && source(Corner_table::next(h)) < inside;
+  }
   return result;
 }
 
@@ -157,7 +152,7 @@ void simplify_blocks(Surface_in_blocks& surface, const Face_blocks& blocks, doub
                      Collapse_record& record, const Progress& on_step)
 {
   std::vector<Collapse_record> records(blocks.size());
-  std::vector<Index> number(surface.points.size());
+  std::vector<Index> number(surface.points.size(), null_index);
   std::mutex mutex;
   std::size_t done = record.collapses.size();
   CGAL::for_each<ConcurrencyTag>(records, [&](Collapse_record& result) {
