@@ -26,7 +26,7 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Simplifies a surface with border by passes of collapses. A pass ranks the edges by their costs, those of Garland and
-// Heckbert, and collapses the cheapest ones in this order. Where an end of an edge has moved in the same pass, its cost is
+// Heckbert but for flat regions, and collapses the cheapest ones in this order. Where an end of an edge has moved in the same pass, its cost is
 // not known, and the edge waits for the next pass. So there is no queue, and all data is in flat arrays. An edge is
 // collapsed only if both ends are inside the surface, if the surface stays a 2-manifold without two edges between the
 // same vertices (the link condition), and if no face turns over.
@@ -36,6 +36,10 @@ class Collapse_passes
 {
 public:
   typedef Progressive_mesh::Point Point;
+
+  // Costs have the squared distance to where the vertices were, too, with this weight. In flat regions the planes cost
+  // nothing wherever a vertex goes; there this keeps the vertices evenly spread. Elsewhere it is too little to matter.
+  static constexpr double weight_of_place = 1e-5;
 
   // The first `inside` vertices are not at the border. The table, the points and the record are written to, but not the
   // halfedges out of vertices at the border; `names` are those of the vertices in the record. Linear.
@@ -57,6 +61,12 @@ public:
       for(Index h = 3 * f; h < 3 * f + 3; ++h)
         if(is_inside(source(h)))
           m_quadrics[source(h)] += quadric;
+    }
+    for(Index v = 0; v < inside; ++v)
+    {
+      m_quadrics[v] += weight_of_place * Plane_quadric(1, 0, 0, -points[v].x());
+      m_quadrics[v] += weight_of_place * Plane_quadric(0, 1, 0, -points[v].y());
+      m_quadrics[v] += weight_of_place * Plane_quadric(0, 0, 1, -points[v].z());
     }
   }
 
