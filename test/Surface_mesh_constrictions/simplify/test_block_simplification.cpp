@@ -336,21 +336,4 @@ TEST(BlockSimplification, FacesAreInOrderAfterTheFirstTime)
   }
 }
 
-// Two fans of faces of a block that meet in one vertex at its border: what is around the vertex is found from each.
-TEST(BlockSimplification, FansAtABorderVertexAreLinked)
-{
-  SMC::internal::Corner_table table;
-  for(Index v : {0, 1, 2, 0, 3, 4})
-    table.halfedges.push_back({v, SMC::null_index});
-  table.outgoing = {0, 1, 2, 4, 5};
-  const std::vector<test_meshes::Mesh::Point> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
-  test_meshes::Mesh mesh;
-  SMC::internal::mesh_from_corner_table(table, points, mesh);
-  EXPECT_TRUE(mesh.is_valid(true));
-  std::set<std::size_t> neighbours;
-  for(auto v : vertices_around_target(mesh.halfedge(test_meshes::Mesh::Vertex_index(0)), mesh))
-    neighbours.insert(v);
-  EXPECT_EQ(neighbours, (std::set<std::size_t>{1, 2, 3, 4}));
-}
-
 } // namespace test_block_simplification
