@@ -59,7 +59,7 @@ TEST(Concurrency, BlocksAreSimplifiedInTheSameWayByAnyNumberOfThreads)
 #ifdef CGAL_LINKED_WITH_TBB
   SMC::internal::Block_simplification blocks;
   blocks.whole_faces = 300;
-  blocks.block_faces = 100;
+  blocks.block_faces = blocks.rest_faces = 100;
   for(const test_meshes::Soup& soup :
       {test_meshes::chain_of_necks(0.05, 1, 120, 40),
        open_meshes::with_random_holes(test_meshes::relabelled(test_meshes::torus(0.1, 2, 60, 30), 2), 8, 2)})

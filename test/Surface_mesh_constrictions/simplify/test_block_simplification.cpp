@@ -58,7 +58,7 @@ Block_simplification small_blocks()
 {
   Block_simplification result;
   result.whole_faces = 300;
-  result.block_faces = 64;
+  result.block_faces = result.rest_faces = 64;
   return result;
 }
 
@@ -183,17 +183,17 @@ TEST(BlockSimplification, WithOtherPoliciesAMeshIsSimplifiedAsAWhole)
 }
 
 // How large a mesh must be to be divided says nothing of how far that goes on.
-TEST(BlockSimplification, WhatIsLeftOfBlocksIsDividedDownToTheSizeOfABlock)
+TEST(BlockSimplification, WhatIsLeftOfBlocksIsDividedUntilFewFacesAreLeft)
 {
   const SMC::Garland_heckbert_policies policies;
   const Block_simplification sooner = small_blocks();
-  Block_simplification later = sooner, as_one = sooner;
+  Block_simplification later = sooner, not_so_far = sooner;
   later.whole_faces = 800;
-  as_one.block_faces = 300;
+  not_so_far.rest_faces = 300;
   const test_meshes::Mesh large = test_meshes::make_mesh(test_meshes::torus(0.1, 6));
   ASSERT_GT(large.number_of_faces(), 800u);
   EXPECT_TRUE(are_equal(simplified(large, sooner, policies), simplified(large, later, policies)));
-  EXPECT_FALSE(are_equal(simplified(large, sooner, policies), simplified(large, as_one, policies)));
+  EXPECT_FALSE(are_equal(simplified(large, sooner, policies), simplified(large, not_so_far, policies)));
 
   const test_meshes::Mesh small = test_meshes::make_mesh(test_meshes::torus(0.1, 6, 14, 10));
   ASSERT_LT(small.number_of_faces(), 300u);

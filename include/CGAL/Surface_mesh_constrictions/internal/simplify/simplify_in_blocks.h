@@ -26,7 +26,8 @@ namespace internal {
 struct Block_simplification
 {
   std::size_t whole_faces = 65536; // a mesh of no more faces is simplified as a whole
-  std::size_t block_faces = 32768; // of a block at most, and at most of all blocks together after the last round
+  std::size_t block_faces = 32768; // of a block at most
+  std::size_t rest_faces = 16384;  // of all blocks together at most after the last round
   double share = 0.25;             // of the edges inside a block that are left
 };
 
@@ -181,7 +182,7 @@ void simplify_blocks(Surface_in_blocks& surface, const Face_blocks& blocks, doub
                       surface.faces.end());
 }
 
-// Simplifies a surface in blocks, and what is left of it in other blocks, until it has no more faces than a block.
+// Simplifies a surface in blocks, and what is left of it in other blocks, until few faces are left.
 // Appends the collapses to the record, and returns what is left. The faces of T^0 are numbered anew, block after block, so
 // that neighbouring faces are near to each other in memory from here on. O(n log n).
 template <class ConcurrencyTag, class ImportedMesh, class Progress>
@@ -200,7 +201,7 @@ Partial_surface simplify_in_blocks(ImportedMesh& imported, const Block_simplific
                                     parameters.share, with_refused_seeds, record, on_step);
   }
   for(std::size_t before = imported.number_of_faces();
-      surface.faces.size() > parameters.block_faces && surface.faces.size() < before;)
+      surface.faces.size() > parameters.rest_faces && surface.faces.size() < before;)
   {
     before = surface.faces.size();
     const Halved_faces halved(surface.table, surface.points, surface.faces, parameters.block_faces);
