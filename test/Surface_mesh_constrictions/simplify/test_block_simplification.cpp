@@ -189,7 +189,7 @@ TEST(BlockSimplification, WhatIsLeftOfBlocksIsDividedUntilFewFacesAreLeft)
   const Block_simplification sooner = small_blocks();
   Block_simplification later = sooner, not_so_far = sooner;
   later.whole_faces = 800;
-  not_so_far.rest_faces = 300;
+  not_so_far.rest_faces = 800; // one round
   const test_meshes::Mesh large = test_meshes::make_mesh(test_meshes::torus(0.1, 6));
   ASSERT_GT(large.number_of_faces(), 800u);
   EXPECT_TRUE(are_equal(simplified(large, sooner, policies), simplified(large, later, policies)));
