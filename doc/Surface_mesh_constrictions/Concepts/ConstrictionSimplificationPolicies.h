@@ -6,8 +6,8 @@
 /// The concept `ConstrictionSimplificationPolicies` describes how the surface is simplified: the named parameter
 /// `simplification_policies` of `CGAL::Surface_mesh_constrictions::detect_constrictions()`.
 ///
-/// A large mesh is first simplified in blocks. The policies are called for each block, and with `Parallel_tag` by
-/// several threads at a time. So they must not store data of a mesh in themselves, but in the object that they return.
+/// Several meshes may be simplified with the same policies. So they must not store data of a mesh in themselves, but in
+/// the object that they return.
 ///
 /// \cgalRefines{CopyConstructible}
 ///
@@ -21,7 +21,7 @@ class ConstrictionSimplificationPolicies
 public:
   /// A type with the members `get_cost()` and `get_placement()`, as
   /// `CGAL::Surface_mesh_constrictions::Cost_and_placement` and CGAL's `GarlandHeckbert_plane_policies` have them. They
-  /// return models of CGAL's `GetCost`, of a class that can be derived from, and `GetPlacement`, for edge profiles of
+  /// return models of CGAL's `GetCost` and `GetPlacement`, for edge profiles of
   /// `CGAL::Surface_mesh_constrictions::Simplification_mesh`.
   typedef unspecified_type Policies;
 

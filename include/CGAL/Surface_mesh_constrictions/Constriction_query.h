@@ -132,8 +132,7 @@ public:
       static_assert(std::tuple_size<std::decay_t<decltype(policies)>>::value == 1,
                     "a query object takes one of the simplification policies");
       m_prepared.template simplify<ConcurrencyTag>(
-          std::get<0>(policies), internal::blocks_asked_for<NamedParameters>(),
-          internal::has_seed_sources<NamedParameters>, visitor,
+          std::get<0>(policies), internal::has_seed_sources<NamedParameters>, visitor,
           [&](const Collapse_record& record, Progressive_mesh& pm) {
             visitor.on_stage_begin(Detection_stage::SEEDS, record.collapses.size());
             m_seeds = internal::Packed_seeds(internal::find_seeds<ConcurrencyTag>(record, np, false, visitor, pm));

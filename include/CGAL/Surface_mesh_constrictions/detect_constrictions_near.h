@@ -133,8 +133,7 @@ OutputIterator detect_constrictions_near_checked(const TriangleMesh& tm, const P
 
   Prepared_surface<TriangleMesh, std::decay_t<decltype(vpm)>> prepared(tm, vpm, vim);
   given_point(prepared.imported(), location);
-  prepared.template simplify<ConcurrencyTag>(std::get<0>(policies), blocks_asked_for<NamedParameters>(), false, visitor,
-                                             append_collapses);
+  prepared.template simplify<ConcurrencyTag>(std::get<0>(policies), false, visitor, append_collapses);
   if(!choose_parameter(get_parameter(np, internal_np::prove_prominence), false))
     return write_constrictions_near<ConcurrencyTag>(prepared, location, out, np);
   std::vector<Constriction<TriangleMesh>> found;

@@ -147,8 +147,8 @@ OutputIterator geodesic_loops_at_location_checked(const TriangleMesh& tm, const 
 
   Prepared_surface<TriangleMesh, std::decay_t<decltype(vpm)>> prepared(tm, vpm, vim);
   if(prepared.is_searched_on_level())
-    prepared.template simplify<Sequential_tag>(Garland_heckbert_policies(), Block_simplification(), false,
-                                               Detection_visitor_base(), append_collapses);
+    prepared.template simplify<Sequential_tag>(Garland_heckbert_policies(), false, Detection_visitor_base(),
+                                               append_collapses);
   else
     prepared.hold_no_levels();
   return write_loops_at_location(prepared, location, maximum_number, minimum_angle, certifies, out);

@@ -15,7 +15,7 @@ namespace Surface_mesh_constrictions {
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// A cost and a placement of edge collapses, which a model of `ConstrictionSimplificationPolicies` may return.
 ///
-/// \tparam Cost a model of `GetCost` that can be derived from
+/// \tparam Cost a model of `GetCost`
 /// \tparam Placement a model of `GetPlacement`
 template <class Cost, class Placement>
 class Cost_and_placement
@@ -36,7 +36,8 @@ private:
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef
 /// The default simplification policies, as in the paper: the costs and placements are those of CGAL's
-/// `GarlandHeckbert_plane_policies`, computed in less time.
+/// `GarlandHeckbert_plane_policies`, computed in less time. The fine levels of a mesh of more than 65,536 faces are made
+/// with these costs, but not by `edge_collapse()`.
 ///
 /// \cgalModels{ConstrictionSimplificationPolicies}
 struct Garland_heckbert_policies

@@ -88,12 +88,11 @@ public:
   // Simplifies the mesh and holds levels. Calls find_seeds(record, pm), which appends the collapses to pm and may look
   // at each level. O(n log n) for n faces.
   template <class ConcurrencyTag, class Policies, class Visitor, class FindSeeds>
-  void simplify(const Policies& policies, const std::optional<Block_simplification>& in_blocks, bool with_refused_seeds,
-                const Visitor& visitor, const FindSeeds& find_seeds)
+  void simplify(const Policies& policies, bool with_refused_seeds, const Visitor& visitor, const FindSeeds& find_seeds)
   {
     visitor.on_stage_begin(Detection_stage::SIMPLIFICATION, m_imported.points.size());
-    const Collapse_record record =
-        internal::simplify<ConcurrencyTag>(m_imported, policies, with_refused_seeds, false, in_blocks, visitor);
+    const Collapse_record record = internal::simplify<ConcurrencyTag>(m_imported, policies, with_refused_seeds, false,
+                                                                      Block_simplification(), visitor);
     visitor.on_stage_end(Detection_stage::SIMPLIFICATION);
     m_surface.emplace(std::move(m_imported.table), std::move(m_imported.points));
     const double area = surface_area(*m_surface);

@@ -133,9 +133,8 @@ Progressive_mesh carry_seeds_to_input(ImportedMesh& imported, bool is_last, cons
       has_seed_detection<NamedParameters> ? Tightening_schedule::AT_THE_END : Tightening_schedule::UNSTRAIGHTENED);
 
   visitor.on_stage_begin(Detection_stage::SIMPLIFICATION, imported.points.size());
-  const std::optional<Block_simplification> in_blocks = first_only ? std::nullopt : blocks_asked_for<NamedParameters>();
   const Collapse_record record =
-      simplify<ConcurrencyTag>(imported, policies, with_refused_seeds, first_only, in_blocks, visitor);
+      simplify<ConcurrencyTag>(imported, policies, with_refused_seeds, first_only, Block_simplification(), visitor);
   visitor.on_stage_end(Detection_stage::SIMPLIFICATION);
   all.collapses += record.collapses.size();
 

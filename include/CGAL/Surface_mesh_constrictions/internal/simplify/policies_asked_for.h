@@ -9,7 +9,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <optional>
 #include <tuple>
 
 namespace CGAL {
@@ -49,17 +48,6 @@ auto policies_asked_for(const NamedParameters& np)
     });
   else
     return as_tuple(Garland_heckbert_policies());
-}
-
-// Whether a large mesh is simplified in blocks. Costs and placements that are given as they are may know the vertices
-// of the mesh by number.
-template <class NamedParameters>
-std::optional<Block_simplification> blocks_asked_for()
-{
-  if constexpr(CGAL::parameters::is_default_parameter<NamedParameters, internal_np::get_cost_policy_t>::value)
-    return Block_simplification();
-  else
-    return std::nullopt;
 }
 
 } // namespace internal

@@ -6,11 +6,11 @@
 #include <CGAL/Surface_mesh_constrictions/Detection_visitor_base.h>
 #include <CGAL/Surface_mesh_constrictions/Non_face_triangle_stop_predicate.h>
 #include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/internal/simplify/Face_blocks.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/Lean_edge_profile.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/simplify_in_blocks.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_table.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/mesh_from_corner_table.h>
+#include <CGAL/Surface_mesh_constrictions/simplification_policies.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -19,7 +19,6 @@
 
 #include <cstddef>
 #include <numeric>
-#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -62,67 +61,44 @@ struct Optional_stop_predicate
   }
 };
 
-// How a large mesh is simplified before it is simplified as a whole.
-struct Block_simplification
+// The surface with its holes open. Linear.
+template <class ImportedMesh>
+Partial_surface whole_surface(const ImportedMesh& imported)
 {
-  std::size_t whole_faces = 65536; // a mesh of no more faces is simplified as a whole
-  std::size_t block_faces = 16384; // of a block at most, and at most of all blocks together after the last round
-  double share = 0.25;             // of the edges inside a block that are left
-};
+  Partial_surface result;
+  result.table = imported.table.first_ghost_face == null_index ? imported.table : without_ghosts(imported.table);
+  result.points.assign(imported.points.begin(),
+                       imported.points.begin() + static_cast<std::ptrdiff_t>(imported.number_of_vertices()));
+  result.vertices.resize(result.points.size());
+  std::iota(result.vertices.begin(), result.vertices.end(), Index(0));
+  return result;
+}
 
 // Simplifies a copy of the mesh as far as CGAL's edge_collapse() goes, or to the first non-face triangle that it meets,
-// and returns the record. With blocks, a surface of many faces is first simplified in parts. Its faces are then
-// numbered anew, block after block, so that neighbouring faces are near to each other in memory from here on. O(n log
-// n), and with blocks nearly linear.
+// and returns the record. The fine levels of a large mesh are made by passes of collapses in blocks, if the policies are
+// those of Garland and Heckbert: see simplify_in_blocks(), which numbers the faces anew. O(n log n), and with blocks
+// nearly linear.
 //
 // A surface with boundary is simplified with its holes open: a collapse keeps it a surface, with three edges at each
 // hole at least, if and only if it keeps the surface a closed one whose holes are filled by ghosts.
 template <class ConcurrencyTag, class ImportedMesh, class Policies, class Visitor>
 Collapse_record simplify(ImportedMesh& imported, const Policies& make_policies, bool with_refused_seeds,
-                         bool first_only, const std::optional<Block_simplification>& in_blocks, const Visitor& visitor)
+                         bool first_only, const Block_simplification& in_blocks, const Visitor& visitor)
 {
   Collapse_record record;
   record.collapses.reserve(imported.points.size());
-  Partial_surface rest; // of the blocks; empty before the first round
-  // of the surface with its holes open
-  std::optional<Corner_table> open;
-  std::vector<Partial_surface::Point> open_points;
-  const auto open_holes = [&] {
-    if(imported.table.first_ghost_face == null_index)
-      return;
-    open = without_ghosts(imported.table);
-    open_points.assign(imported.points.begin(),
-                       imported.points.begin() + static_cast<std::ptrdiff_t>(imported.number_of_vertices()));
-  };
-  open_holes();
-  const Corner_table* table = open ? &*open : &imported.table;
-  const std::vector<Partial_surface::Point>* points = open ? &open_points : &imported.points;
-  std::vector<Index> vertices(points->size());
-  std::iota(vertices.begin(), vertices.end(), Index(0));
-  const auto on_step = [&visitor](std::size_t done) { visitor.on_step(Detection_stage::SIMPLIFICATION, done); };
-  for(std::size_t faces = table->halfedges.size() / 3, faces_before = faces + 1;
-      in_blocks && faces > (rest.points.empty() ? in_blocks->whole_faces : in_blocks->block_faces) &&
-      faces < faces_before && !has_edge_of_length_zero(*table, *points);)
-  {
-    const Halved_faces halved(*table, *points, in_blocks->block_faces);
-    if(rest.points.empty())
-    {
-      imported.reorder_faces(halved.order());
-      open_holes();
-    }
-    else
-      rest.table = with_faces_in_order(rest.table, halved.order());
-    rest = simplify_blocks<ConcurrencyTag>(*table, *points, vertices, Face_blocks(*table, halved.first()),
-                                           in_blocks->share, make_policies, with_refused_seeds, record, on_step);
-    table = &rest.table;
-    points = &rest.points;
-    vertices = rest.vertices;
-    faces_before = faces;
-    faces = table->halfedges.size() / 3;
-  }
-
   Simplification_mesh copy;
-  mesh_from_corner_table(*table, *points, copy);
+  std::vector<Index> vertices;
+  {
+    const bool has_blocks = std::is_same<Policies, Garland_heckbert_policies>::value && !first_only &&
+                            imported.number_of_faces() > in_blocks.whole_faces;
+    const auto on_step = [&visitor](std::size_t done) { visitor.on_step(Detection_stage::SIMPLIFICATION, done); };
+    Partial_surface surface =
+        has_blocks ? simplify_in_blocks<ConcurrencyTag>(imported, in_blocks, with_refused_seeds, record, on_step)
+                   : whole_surface(imported);
+    mesh_from_corner_table(surface.table, surface.points, copy);
+    vertices.swap(surface.vertices);
+  }
   const auto vim = boost::make_iterator_property_map(vertices.begin(), get(boost::vertex_index, copy));
   const Reporting_visitor<std::decay_t<decltype(vim)>, Visitor> recorder(record, vim, with_refused_seeds, visitor);
   const auto policies = make_policies(copy);

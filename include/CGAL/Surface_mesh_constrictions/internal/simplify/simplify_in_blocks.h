@@ -4,25 +4,17 @@
 
 #include <CGAL/Surface_mesh_constrictions/Collapse_recording_visitor.h>
 #include <CGAL/Surface_mesh_constrictions/Progressive_mesh.h>
-#include <CGAL/Surface_mesh_constrictions/Seed_curve.h>
-#include <CGAL/Surface_mesh_constrictions/Simplification_mesh.h>
+#include <CGAL/Surface_mesh_constrictions/internal/simplify/Collapse_passes.h>
 #include <CGAL/Surface_mesh_constrictions/internal/simplify/Face_blocks.h>
-#include <CGAL/Surface_mesh_constrictions/internal/simplify/Lean_edge_profile.h>
-#include <CGAL/Surface_mesh_constrictions/internal/simplify/Policies_inside_block.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_table.h>
-#include <CGAL/Surface_mesh_constrictions/internal/surface/mesh_from_corner_table.h>
 
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/for_each.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <mutex>
-#include <type_traits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -30,7 +22,16 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// A surface on which some collapses have been made, in numbers of its own.
+// How a large mesh is simplified before it is simplified as a whole.
+struct Block_simplification
+{
+  std::size_t whole_faces = 65536; // a mesh of no more faces is simplified as a whole
+  std::size_t block_faces = 32768; // of a block at most
+  std::size_t rest_faces = 16384;  // of all blocks together at most after the last round
+  double share = 0.25;             // of the edges inside a block that are left
+};
+
+// A part of a surface, in numbers of its own, with its holes open.
 struct Partial_surface
 {
   typedef Progressive_mesh::Point Point;
@@ -40,185 +41,174 @@ struct Partial_surface
   std::vector<Index> vertices; // as T^0 numbers them
 };
 
-// Whether an edge of the surface has length zero. CGAL's edge_collapse() collapses such edges whatever they cost, those
-// at the border of a block too. Linear.
-inline bool has_edge_of_length_zero(const Corner_table& table, const std::vector<Partial_surface::Point>& points)
+// The faces of a surface that is simplified, in numbers of T^0. Faces and vertices that are out keep their numbers.
+struct Surface_in_blocks
 {
-  for(Index h = 0; h < table.halfedges.size(); ++h)
-    if(points[table.halfedges[h].source] == points[table.halfedges[Corner_table::next(h)].source])
-      return true;
-  return false;
-}
+  Corner_table table; // `outgoing` is that of T^0
+  std::vector<Partial_surface::Point> points;
+  std::vector<Index> faces; // those that are left, in ascending order
 
-// A block of faces of a surface, as a surface with border. The vertices inside come first.
+  // The surface that is left. Linear.
+  Partial_surface rest() const
+  {
+    Partial_surface result;
+    std::vector<Index> corners, number(points.size(), null_index);
+    corners.reserve(3 * faces.size());
+    for(Index f : faces)
+      for(Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const Index v = table.halfedges[h].source;
+        if(number[v] == null_index)
+        {
+          number[v] = static_cast<Index>(result.vertices.size());
+          result.vertices.push_back(v);
+          result.points.push_back(points[v]);
+        }
+        corners.push_back(number[v]);
+      }
+    result.table = make_corner_table(result.vertices.size(), corners, true);
+    return result;
+  }
+};
+
+// A block of faces, as a surface with border. The vertices inside come first.
 struct Face_block
 {
   Partial_surface surface;
   std::size_t number_of_vertices_inside = 0, number_of_edges_inside = 0;
 };
 
-// Cuts a block out of the surface. `number` has a place for each vertex of the surface; those of vertices inside the
-// block are overwritten. Linear in the block, but for its border.
-inline Face_block make_face_block(const Corner_table& table, const std::vector<Partial_surface::Point>& points,
-                                  const std::vector<Index>& vertices, const Face_blocks& blocks, Index block,
+// Copies a block of a surface. `number` has a place for each vertex of the surface, null_index at first; those of the
+// vertices inside the block are written. Linear in the block, but for its border.
+inline Face_block make_face_block(const Surface_in_blocks& whole, const Face_blocks& blocks, Index block,
                                   std::vector<Index>& number)
 {
   Face_block result;
   Partial_surface& s = result.surface;
-  const Index begin = blocks.begin(block), end = blocks.end(block);
-  std::vector<Index> inside, border;
-  for(Index h = 3 * begin; h < 3 * end; ++h)
+  std::vector<Index> at_border; // halfedges out of vertices at the border
+  s.table.halfedges.reserve(3 * static_cast<std::size_t>(blocks.number_of_faces(block)));
+  for(Index i = 0; i < blocks.number_of_faces(block); ++i)
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Corner_table::Halfedge& h = whole.table.halfedges[3 * blocks.face(block, i) + k];
+      const Index beside = h.opposite == null_index ? null_index : blocks.place(block, h.opposite / 3);
+      s.table.halfedges.push_back({h.source, beside == null_index ? null_index : 3 * beside + h.opposite % 3});
+      if(blocks.block_of_vertex(h.source) == null_index)
+      {
+        at_border.push_back(3 * i + k);
+        continue;
+      }
+      Index& local = number[h.source];
+      if(local == null_index)
+      {
+        local = static_cast<Index>(s.vertices.size());
+        s.vertices.push_back(h.source);
+      }
+      s.table.halfedges.back().source = local;
+    }
+  const std::size_t inside = result.number_of_vertices_inside = s.vertices.size();
+  const auto source = [&s](Index h) -> Index& { return s.table.halfedges[h].source; };
+  std::sort(at_border.begin(), at_border.end(), [&source](Index g, Index h) { return source(g) < source(h); });
+  for(Index h : at_border)
   {
-    const Index v = table.halfedges[h].source;
-    if(blocks.block_of_vertex(v) == null_index)
-      border.push_back(v);
-    else
-      number[v] = null_index;
+    if(s.vertices.size() == inside || s.vertices.back() != source(h))
+      s.vertices.push_back(source(h));
+    source(h) = static_cast<Index>(s.vertices.size() - 1);
   }
-  std::sort(border.begin(), border.end());
-  border.erase(std::unique(border.begin(), border.end()), border.end());
-  for(Index h = 3 * begin; h < 3 * end; ++h)
-  {
-    const Index v = table.halfedges[h].source;
-    if(blocks.block_of_vertex(v) == null_index || number[v] != null_index)
-      continue;
-    number[v] = static_cast<Index>(inside.size());
-    inside.push_back(v);
-  }
-  const Index n = static_cast<Index>(inside.size());
-  result.number_of_vertices_inside = n;
-
-  s.table.outgoing.resize(n + border.size());
-  s.table.halfedges.reserve(3 * (end - begin));
-  for(Index h = 3 * begin; h < 3 * end; ++h)
-  {
-    const Index o = table.halfedges[h].opposite, v = table.halfedges[h].source;
-    const Index local =
-        blocks.block_of_vertex(v) != null_index
-            ? number[v]
-            : n + static_cast<Index>(std::lower_bound(border.begin(), border.end(), v) - border.begin());
-    s.table.halfedges.push_back({local, blocks.has_face(block, o / 3) ? o - 3 * begin : null_index});
-    s.table.outgoing[local] = h - 3 * begin;
-  }
+  s.points.reserve(s.vertices.size());
+  for(Index v : s.vertices)
+    s.points.push_back(whole.points[v]);
+  s.table.outgoing.resize(s.vertices.size());
   for(Index h = 0; h < s.table.halfedges.size(); ++h)
-    result.number_of_edges_inside += h < s.table.halfedges[h].opposite && s.table.halfedges[h].source < n &&
-                                     s.table.halfedges[Corner_table::next(h)].source < n;
-  s.vertices.swap(inside);
-  s.vertices.insert(s.vertices.end(), border.begin(), border.end());
-  for(Index& v : s.vertices)
   {
-    s.points.push_back(points[v]);
-    v = vertices[v];
+    s.table.outgoing[source(h)] = h;
+    result.number_of_edges_inside +=
+        h < s.table.halfedges[h].opposite && source(h) < inside && source(Corner_table::next(h)) < inside;
   }
   return result;
 }
 
-// The result of the simplification of a block: collapses, and the corners of the faces that are left, in numbers of
-// T^0.
-struct Simplified_block
+// Writes a block that has been simplified back. Of other blocks it touches nothing. Linear in the block.
+inline void write_back(const Face_block& simplified, const Face_blocks& blocks, Index block, Surface_in_blocks& whole)
 {
-  Collapse_record record;
-  std::vector<Index> corners;
-};
-
-// Ends the simplification of a block when no more than this many edges are left.
-struct Number_of_edges_stop_predicate
-{
-  std::size_t edges;
-
-  template <class FT, class Profile, class Size>
-  bool operator()(const FT&, const Profile&, Size, Size current) const
-  {
-    return current <= edges;
-  }
-};
-
-// Collapses edges inside a block until only the given share of them is left.
-template <class Policies>
-Simplified_block simplify_block(const Face_block& block, const Policies& make_policies, bool with_refused_seeds,
-                                double share)
-{
-  Simplified_block result;
-  Simplification_mesh mesh;
-  mesh_from_corner_table(block.surface.table, block.surface.points, mesh);
-  const auto names = boost::make_iterator_property_map(block.surface.vertices.begin(), get(boost::vertex_index, mesh));
-  const Collapse_recording_visitor<std::decay_t<decltype(names)>> recorder(result.record, names, with_refused_seeds);
-  const auto policies = make_policies(mesh);
-  typedef std::decay_t<decltype(policies.get_cost())> Cost;
-  typedef std::decay_t<decltype(policies.get_placement())> Placement;
-  static_assert(std::is_class<Cost>::value && !std::is_final<Cost>::value,
-                "the cost that simplification_policies make must be a class that can be derived from");
-
-  const std::size_t outside = mesh.num_edges() - block.number_of_edges_inside;
-  const Number_of_edges_stop_predicate stop{
-      outside + static_cast<std::size_t>(share * static_cast<double>(block.number_of_edges_inside))};
-  Surface_mesh_simplification::edge_collapse(
-      mesh, stop,
-      CGAL::parameters::get_cost(Cost_inside_block<Cost>(policies.get_cost(), block.number_of_vertices_inside))
-          .get_placement(Placement_inside_block<Placement>(policies.get_placement(), block.number_of_vertices_inside))
-          .vertex_point_map(Lean_point_map(get(CGAL::vertex_point, mesh)))
-          .visitor(recorder));
-
-  for(auto f : faces(mesh))
-    for(auto v : vertices_around_face(halfedge(f, mesh), mesh))
-      result.corners.push_back(names[v]);
-  return result;
+  const Partial_surface& s = simplified.surface;
+  for(std::size_t i = 0; i < simplified.number_of_vertices_inside; ++i)
+    whole.points[s.vertices[i]] = s.points[i];
+  for(Index i = 0; i < blocks.number_of_faces(block); ++i)
+    for(Index k = 0; k < 3; ++k)
+    {
+      const Index o = s.table.halfedges[3 * i + k].opposite;
+      Corner_table::Halfedge& h = whole.table.halfedges[3 * blocks.face(block, i) + k];
+      h.source = s.vertices[s.table.halfedges[3 * i + k].source];
+      if(o != null_index)
+        h.opposite = 3 * blocks.face(block, o / 3) + o % 3;
+    }
 }
 
-// Simplifies blocks of a surface independently, so that each fits into the cache, and several processors can work.
-// Edges at the border of a block stay as they are. Appends the collapses to the record, block by block, and returns the
-// surface that is left.
-template <class ConcurrencyTag, class Policies, class Progress>
-Partial_surface simplify_blocks(const Corner_table& table, const std::vector<Partial_surface::Point>& points,
-                                const std::vector<Index>& vertices, const Face_blocks& blocks, double share,
-                                const Policies& make_policies, bool with_refused_seeds, Collapse_record& record,
-                                const Progress& on_step)
+// Collapses edges inside each block until only the given share of them is left. A block fits into the cache, and blocks
+// are independent, so that several processors can work. Edges at the border of a block stay as they are. Appends the
+// collapses to the record, block by block.
+template <class ConcurrencyTag, class Progress>
+void simplify_blocks(Surface_in_blocks& surface, const Face_blocks& blocks, double share, bool with_refused_seeds,
+                     Collapse_record& record, const Progress& on_step)
 {
-  std::vector<Simplified_block> simplified(blocks.size());
-  std::vector<Index> number(points.size());
+  std::vector<Collapse_record> records(blocks.size());
+  std::vector<Index> number(surface.points.size(), null_index);
   std::mutex mutex;
   std::size_t done = record.collapses.size();
-  CGAL::for_each<ConcurrencyTag>(simplified, [&](Simplified_block& result) {
-    const Index block = static_cast<Index>(&result - simplified.data());
-    result = simplify_block(make_face_block(table, points, vertices, blocks, block, number), make_policies,
-                            with_refused_seeds, share);
+  CGAL::for_each<ConcurrencyTag>(records, [&](Collapse_record& result) {
+    const Index b = static_cast<Index>(&result - records.data());
+    Face_block block = make_face_block(surface, blocks, b, number);
+    Partial_surface& s = block.surface;
+    Collapse_passes(s.table, s.points, block.number_of_vertices_inside, s.vertices, with_refused_seeds, result)
+        .run(static_cast<std::size_t>((1 - share) * static_cast<double>(block.number_of_edges_inside)) / 3);
+    write_back(block, blocks, b, surface);
     const std::lock_guard<std::mutex> lock(mutex);
-    on_step(done += result.record.collapses.size());
+    on_step(done += result.collapses.size());
     return true;
   });
-
-  Partial_surface rest;
-  const std::size_t last = vertices.empty() ? 0 : *std::max_element(vertices.begin(), vertices.end());
-  std::vector<Partial_surface::Point> position(last + 1);
-  for(std::size_t i = 0; i < vertices.size(); ++i)
-    position[vertices[i]] = points[i];
-  std::vector<Index> corners;
-  for(Simplified_block& b : simplified)
+  for(Collapse_record& r : records)
   {
-    for(const Edge_collapse& c : b.record.collapses)
-      position[c.kept] = c.point;
-    for(Seed_curve& s : b.record.refused_seeds)
+    for(Seed_curve& s : r.refused_seeds)
     {
       s.level += record.collapses.size();
       record.refused_seeds.push_back(std::move(s));
     }
-    record.collapses.insert(record.collapses.end(), b.record.collapses.begin(), b.record.collapses.end());
-    corners.insert(corners.end(), b.corners.begin(), b.corners.end());
-    b = Simplified_block();
+    record.collapses.insert(record.collapses.end(), r.collapses.begin(), r.collapses.end());
+    r = Collapse_record();
   }
-  number.assign(last + 1, null_index);
-  for(Index& v : corners)
+  surface.faces.erase(std::remove_if(surface.faces.begin(), surface.faces.end(),
+                                     [&surface](Index f) { return Collapse_passes::is_out(surface.table, f); }),
+                      surface.faces.end());
+}
+
+// Simplifies a surface in blocks, and what is left of it in other blocks, until few faces are left.
+// Appends the collapses to the record, and returns what is left. The faces of T^0 are numbered anew, block after block, so
+// that neighbouring faces are near to each other in memory from here on. O(n log n).
+template <class ConcurrencyTag, class ImportedMesh, class Progress>
+Partial_surface simplify_in_blocks(ImportedMesh& imported, const Block_simplification& parameters,
+                                   bool with_refused_seeds, Collapse_record& record, const Progress& on_step)
+{
+  Surface_in_blocks surface;
+  surface.faces.resize(imported.number_of_faces());
+  std::iota(surface.faces.begin(), surface.faces.end(), Index(0));
   {
-    if(number[v] == null_index)
-    {
-      number[v] = static_cast<Index>(rest.vertices.size());
-      rest.vertices.push_back(v);
-      rest.points.push_back(position[v]);
-    }
-    v = number[v];
+    const Halved_faces halved(imported.table, imported.points, surface.faces, parameters.block_faces);
+    imported.reorder_faces(halved.order());
+    surface.table = imported.table;
+    surface.points = imported.points;
+    simplify_blocks<ConcurrencyTag>(surface, Face_blocks(surface.table, surface.faces, halved.first()),
+                                    parameters.share, with_refused_seeds, record, on_step);
   }
-  rest.table = make_corner_table(rest.vertices.size(), corners, true);
-  return rest;
+  for(std::size_t before = imported.number_of_faces();
+      surface.faces.size() > parameters.rest_faces && surface.faces.size() < before;)
+  {
+    before = surface.faces.size();
+    const Halved_faces halved(surface.table, surface.points, surface.faces, parameters.block_faces);
+    simplify_blocks<ConcurrencyTag>(surface, Face_blocks(surface.table, halved.order(), halved.first()),
+                                    parameters.share, with_refused_seeds, record, on_step);
+  }
+  return surface.rest();
 }
 
 } // namespace internal

@@ -14,8 +14,7 @@ namespace internal {
 // Writes the mesh of a corner table into the empty mesh sm, a Simplification_mesh or a CGAL::Surface_mesh: vertices and
 // faces keep their numbers, edges are numbered in the order in which the faces show them, and the halfedge of face f
 // starts at the first corner of f. Isolated vertices keep their number too, but are marked as removed. The table may
-// have a border, where `opposite` is null_index; all fans of faces at a vertex of the border are linked, so that what
-// is around the vertex is found from any of them. Linear, and ten times as fast as add_face(), which has to search.
+// have a border, where `opposite` is null_index. Linear, and ten times as fast as add_face(), which has to search.
 template <class Mesh, class PointRange>
 void mesh_from_corner_table(const Corner_table& table, const PointRange& points, Mesh& sm)
 {
@@ -60,17 +59,8 @@ void mesh_from_corner_table(const Corner_table& table, const PointRange& points,
     const Halfedge in = sm.opposite(halfedge[h]), out = sm.opposite(halfedge[last]);
     const Vertex v(table.halfedges[h].source);
     sm.set_target(in, v);
-    const Halfedge of_other_fan = sm.halfedge(v);
-    if(of_other_fan == Mesh::null_halfedge())
-    {
-      sm.set_next(in, out);
-      sm.set_halfedge(v, in);
-    }
-    else
-    {
-      sm.set_next(in, sm.next(of_other_fan));
-      sm.set_next(of_other_fan, out);
-    }
+    sm.set_next(in, out);
+    sm.set_halfedge(v, in);
   }
   for(std::size_t v = 0; v < nv; ++v)
   {
