@@ -3,8 +3,8 @@
 # CGAL 5.5.1 (libcgal-dev 5.5.1-2) and 6.0.1 (6.0.1-1 of Debian 13): sdf_values() and segmentation_from_sdf_values().
 #
 # Guess: two balls on a thin tube are three segments, with the default parameters too: the diameter is 0.56 within the
-# balls and 0.19 or 0.04 within the tube. More clusters can only give more: by the manual, a large number of them "will
-# result in a detailed segmentation of the mesh with a large number of segments".
+# balls and 0.19 or 0.04 within the tube. More clusters can only give more: the manual says that many of them make a
+# detailed segmentation of many segments.
 # What happens: two clusters give the three segments, and so do three. With four, with five, which is the default, and
 # with eight the whole body is one segment, also if each vertex is moved at random by up to 1% of its distance from the
 # axis. The diameters themselves are right.
