@@ -182,9 +182,9 @@ void simplify_blocks(Surface_in_blocks& surface, const Face_blocks& blocks, doub
                       surface.faces.end());
 }
 
-// Simplifies a surface in blocks, and what is left of it in other blocks, until few faces are left.
-// Appends the collapses to the record, and returns what is left. The faces of T^0 are numbered anew, block after block, so
-// that neighbouring faces are near to each other in memory from here on. O(n log n).
+// Simplifies a surface in blocks, and what is left of it in other blocks, until few faces are left. Appends the
+// collapses to the record, and returns what is left. The faces of T^0 are numbered anew, block after block, so that
+// neighbouring faces are near to each other in memory from here on. O(n log n).
 template <class ConcurrencyTag, class ImportedMesh, class Progress>
 Partial_surface simplify_in_blocks(ImportedMesh& imported, const Block_simplification& parameters,
                                    bool with_refused_seeds, Collapse_record& record, const Progress& on_step)
