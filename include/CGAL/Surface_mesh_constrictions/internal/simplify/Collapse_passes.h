@@ -26,10 +26,11 @@ namespace Surface_mesh_constrictions {
 namespace internal {
 
 // Simplifies a surface with border by passes of collapses. A pass ranks the edges by their costs, those of Garland and
-// Heckbert, with a little of the distances to the places of its vertices, and collapses the cheapest ones in this order. Where an
-// end of an edge has moved in the same pass, its cost is not known, and the edge waits for the next pass. So there is no
-// queue, and all data is in flat arrays. An edge is collapsed only if both ends are inside the surface, if the surface
-// stays a 2-manifold without two edges between the same vertices (the link condition), and if no face turns over.
+// Heckbert, with a little of the distances to the places of its vertices, and collapses the cheapest ones in this
+// order. Where an end of an edge has moved in the same pass, its cost is not known, and the edge waits for the next
+// pass. So there is no queue, and all data is in flat arrays. An edge is collapsed only if both ends are inside the
+// surface, if the surface stays a 2-manifold without two edges between the same vertices (the link condition), and if
+// no face turns over.
 //
 // Edges of the same cost are in the order of their halfedges, so the result is always the same.
 class Collapse_passes
