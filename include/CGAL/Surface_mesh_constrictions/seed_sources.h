@@ -114,7 +114,8 @@ private:
 /// which one side is a small disc with angles of at most pi along the seed, beside which there are at least pi, and whose
 /// positive curvature, the angle defects of the vertices inside, adds up to less than 2 pi: the seed does not leave the
 /// disc as it gets shorter, and by the theorem of Gauss and Bonnet no closed geodesic of its surface lies in there. In
-/// flat and developable regions of finely meshed bodies nearly all non-face triangles are such.
+/// flat and developable regions of finely meshed bodies nearly all non-face triangles are such. On a coarse level, where
+/// seeds are few, a seed that shortens to a point may yet lead to a constriction of a finer one, and none is left out.
 ///
 /// \cgalModels{ConstrictionSeedSource}
 ///
@@ -126,12 +127,17 @@ class Gauss_bonnet_seeds
 {
 public:
   /// \param source the source whose seeds are filtered
-  explicit Gauss_bonnet_seeds(SeedSource source = SeedSource()) : m_source(std::move(source)) {}
+  /// \param vertices the number of vertices of the coarsest surface on which they are
+  explicit Gauss_bonnet_seeds(SeedSource source = SeedSource(), std::size_t vertices = 1000)
+    : m_source(std::move(source)), m_vertices(vertices)
+  {}
 
   /// writes the seeds of the level
   template <class OutputIterator>
   OutputIterator operator()(const Progressive_mesh& pm, const Seed_level& level, OutputIterator out) const
   {
+    if(level.vertices < m_vertices)
+      return m_source(pm, level, out);
     std::vector<Seed_curve> seeds;
     m_source(pm, level, std::back_inserter(seeds));
     for(Seed_curve& s : seeds)
@@ -144,6 +150,7 @@ private:
   static constexpr std::size_t most_faces = 32; // of a disc that is looked at
 
   SeedSource m_source;
+  std::size_t m_vertices;
 };
 
 /// \ingroup PkgSurfaceMeshConstrictionsRef

@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -209,15 +211,27 @@ TEST(GaussBonnetSeeds, OfAFinelyMeshedBoxHardlyASeedIsLeft)
   SMC::Progressive_mesh pm = test_meshes::make_progressive(soup);
   const SMC::Collapse_record record = simplified(soup);
   SMC::Seed_level level = {pm.number_of_vertices(), record.collapses.size(), SMC::null_index, &record.refused_seeds};
-  const SMC::Gauss_bonnet_seeds<SMC::Non_face_triangle_seeds> filtered;
-  std::vector<SMC::Seed_curve> all, left;
+  const SMC::Gauss_bonnet_seeds<SMC::Non_face_triangle_seeds> filtered(SMC::Non_face_triangle_seeds(), 0),
+      on_fine_levels(SMC::Non_face_triangle_seeds(), 500);
+  std::vector<SMC::Seed_curve> all, left, left_on_fine_levels;
+  std::size_t coarse = 0;
   pm.append_collapses(record.collapses, [&](const SMC::Edge_collapse& c) {
     --level.vertices;
     level.merged = c.kept;
     SMC::Non_face_triangle_seeds()(pm, level, std::back_inserter(all));
     filtered(pm, level, std::back_inserter(left));
+    on_fine_levels(pm, level, std::back_inserter(left_on_fine_levels));
+    if(level.vertices < 500)
+      SMC::Non_face_triangle_seeds()(pm, level,
+                                     boost::make_function_output_iterator([&coarse](const auto&) { ++coarse; }));
     return true;
   });
+  const std::size_t fine_left =
+      static_cast<std::size_t>(std::count_if(left.begin(), left.end(), [&pm](const SMC::Seed_curve& s) {
+        return pm.number_of_vertices() + pm.level() - s.level >= 500;
+      }));
+  EXPECT_EQ(left_on_fine_levels.size(), fine_left + coarse); // on coarse levels all
+  EXPECT_GT(coarse, 10u);
   EXPECT_GT(all.size(), 500u);
   EXPECT_LT(left.size(), all.size() / 20);
   for(const SMC::Seed_curve& s : left) // the same seeds, in their order

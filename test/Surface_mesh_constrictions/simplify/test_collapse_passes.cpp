@@ -352,8 +352,8 @@ TEST(CollapsePasses, FacesWithoutAnAreaDoNotStayInTheWay)
       soup.points.back()[i] = (p[i] + soup.points[t[0]][i]) / 2;
     const std::size_t beside = middle + 1; // between t[0] and the middle, on the same edge
     soup.faces[f] = {{middle, t[1], t[2]}};
-    soup.faces.push_back({{t[0], middle, t[2]}});
     *other = {{t[1], middle, apex}};
+    soup.faces.push_back({{t[0], middle, t[2]}});
     soup.faces.push_back({{middle, beside, apex}});
     soup.faces.push_back({{beside, t[0], apex}});
     soup.faces.push_back({{t[0], beside, middle}}); // without an area
