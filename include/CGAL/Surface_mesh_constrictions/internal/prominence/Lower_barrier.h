@@ -167,18 +167,7 @@ private:
   }
 
   // Whether the angles at a vertex add up to a full turn or more, but for rounding.
-  bool is_saddle(Index v) const
-  {
-    double sum = 0;
-    const Index begin = m_pm.outgoing(v);
-    Index h = begin;
-    do
-    {
-      sum += corner_angle(m_pm, h);
-      h = m_pm.ccw(h);
-    } while(h != begin);
-    return sum > 2 * CGAL_PI - flat_tolerance;
-  }
+  bool is_saddle(Index v) const { return total_angle(m_pm, v) > 2 * CGAL_PI - flat_tolerance; }
 
   // Whether a curve through a vertex that crosses each cut an odd number of times may be shorter than the curve. In two
   // copies of a neighbourhood opened along a cut, glued together along it, such a curve leads from the vertex to its

@@ -44,20 +44,6 @@ inline bool find_faces_inside(const Progressive_mesh& pm, const boost::container
   return true;
 }
 
-// The sum of the angles at a vertex; infinite on the boundary. O(degree).
-inline double total_angle(const Progressive_mesh& pm, Index v)
-{
-  double total = 0;
-  const Index begin = pm.outgoing(v);
-  Index h = begin;
-  do
-  {
-    total += corner_angle(pm, h);
-    h = pm.ccw(h);
-  } while(h != begin);
-  return total;
-}
-
 // Whether faces that fill one side of a simple loop form a disc, convex along the loop, in which no closed geodesic
 // lies, and the loop is not pulled away from them.
 inline bool is_convex_without_geodesic(const Progressive_mesh& pm, const std::vector<Index>& loop,

@@ -23,6 +23,20 @@ inline double corner_angle(const Progressive_mesh& pm, Index h)
   return std::atan2(norm(cross(a, b)), dot(a, b));
 }
 
+// The sum of the angles at a vertex; infinite on the boundary. O(degree).
+inline double total_angle(const Progressive_mesh& pm, Index v)
+{
+  double total = 0;
+  const Index begin = pm.outgoing(v);
+  Index h = begin;
+  do
+  {
+    total += corner_angle(pm, h);
+    h = pm.ccw(h);
+  } while(h != begin);
+  return total;
+}
+
 // The crossed halfedge h, unfolded: as one goes out of its face, its target is on the left, its source on the right.
 struct Portal
 {
