@@ -55,7 +55,6 @@ public:
   NT number(int n) const { return NT(n); }
   int certain_sign(const NT& x) const { return x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0; }
 
-private:
   typedef std::array<NT, 3> Vector;
 
   Vector vector(typename Surface::Vertex from, typename Surface::Vertex to) const
@@ -64,6 +63,14 @@ private:
     return {{q[0] - p[0], q[1] - p[1], q[2] - p[2]}};
   }
 
+  static NT dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+
+  static Vector cross(const Vector& u, const Vector& v)
+  {
+    return {{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]}};
+  }
+
+private:
   struct Corner
   {
     NT dot, square_length, double_area;
@@ -73,9 +80,9 @@ private:
   {
     const auto a = m_surface.source(h);
     const Vector u = vector(a, m_surface.target(h)), v = vector(a, m_surface.source(m_surface.prev(h)));
-    const NT square_area =
-        square(u[1] * v[2] - u[2] * v[1]) + square(u[2] * v[0] - u[0] * v[2]) + square(u[0] * v[1] - u[1] * v[0]);
-    return {u[0] * v[0] + u[1] * v[1] + u[2] * v[2], square(u[0]) + square(u[1]) + square(u[2]), sqrt(square_area)};
+    const Vector n = cross(u, v);
+    const NT square_area = square(n[0]) + square(n[1]) + square(n[2]);
+    return {dot(u, v), square(u[0]) + square(u[1]) + square(u[2]), sqrt(square_area)};
   }
 
   const Surface& m_surface;
