@@ -90,29 +90,47 @@ public:
     return result;
   }
 
+  // The shortest path from the begin of `before` to the end of `behind`, among those that pass the vertex where the two
+  // meet on one side; no arcs if it is a point. The arcs of each keep their ends but for those at that vertex.
+  std::vector<Arc> let_go(const std::vector<Arc>& before, const std::vector<Arc>& behind, Curve_side side)
+  {
+    const Arc &incoming = before.back(), &outgoing = behind.front();
+    Strip strip(incoming.crossings.begin(), incoming.crossings.end());
+    append_fan(m_network.surface(), incoming, outgoing, side, strip);
+    strip.insert(strip.end(), outgoing.crossings.begin(), outgoing.crossings.end());
+    std::vector<Arc> result(before.begin(), before.end() - 1);
+    m_tightener.puller().pull(incoming.from, strip, outgoing.to, result);
+    result.insert(result.end(), behind.begin() + 1, behind.end());
+    return result;
+  }
+
   // Tightens a closed curve that is let go at a vertex that it passes, to one side of the vertex. The curve must have
   // another pivot.
   Tightened_boundary let_go(std::vector<Arc> arcs, Index vertex, Curve_side side)
   {
     const auto at = std::find_if(arcs.begin(), arcs.end(), [vertex](const Arc& a) { return a.from == vertex; });
     std::rotate(arcs.begin(), at, arcs.end());
-    const Arc outgoing = arcs.front(), incoming = arcs.back();
-    Strip strip(incoming.crossings.begin(), incoming.crossings.end());
-    append_fan(m_network.surface(), incoming, outgoing, side, strip);
-    strip.insert(strip.end(), outgoing.crossings.begin(), outgoing.crossings.end());
+    const std::vector<Arc> outgoing(1, arcs.front()), incoming(1, arcs.back());
     arcs.erase(arcs.begin());
     arcs.pop_back();
-    m_tightener.puller().pull(incoming.from, strip, outgoing.to, arcs);
-    Tightened_boundary result;
-    if(!arcs.empty())
-    {
-      const Index c = m_network.add_curve(0);
-      m_network.set_arcs(c, arcs);
-      result.longest = end(c);
-    }
+    const std::vector<Arc> between = let_go(incoming, outgoing, side);
+    arcs.insert(arcs.end(), between.begin(), between.end());
+    Tightened_boundary result = tighten(std::move(arcs));
     if(result.longest == null_index)
       result.vertex = vertex;
-    else
+    return result;
+  }
+
+  // Tightens a closed curve; no arcs stand for a point.
+  Tightened_boundary tighten(std::vector<Arc> arcs)
+  {
+    Tightened_boundary result;
+    if(arcs.empty())
+      return result;
+    const Index c = m_network.add_curve(0);
+    m_network.set_arcs(c, arcs);
+    result.longest = end(c);
+    if(result.longest != null_index)
     {
       result.length = m_length[result.longest];
       result.is_simple = m_is_simple[result.longest];

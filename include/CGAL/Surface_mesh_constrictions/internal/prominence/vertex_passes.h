@@ -22,14 +22,28 @@ namespace CGAL {
 namespace Surface_mesh_constrictions {
 namespace internal {
 
-// A way of a closed geodesic over one vertex beside it.
+// A way of a closed geodesic over one vertex beside it. On the way to the vertex the curve is never longer than at one of
+// the two ends.
 struct Vertex_pass
 {
-  std::vector<Arc> arcs; // of the curve at the vertex; on the way there it is never longer than at one of the two ends
-  double length;         // of these arcs
+  std::size_t arc;         // of the curve, by place, that is drawn to the vertex
+  std::vector<Arc> before; // from the begin of the arc to the vertex
+  std::vector<Arc> behind; // from there to the end of the arc
+  double length;           // of the curve at the vertex
   Index vertex;
   Curve_side far_side; // of the curve, that it gets to
 };
+
+// A curve at the vertex of one of its passes. Linear in the curve.
+inline std::vector<Arc> drawn_to_vertex(const std::vector<Arc>& arcs, const Vertex_pass& pass)
+{
+  const auto at = arcs.begin() + static_cast<std::ptrdiff_t>(pass.arc);
+  std::vector<Arc> result(arcs.begin(), at);
+  result.insert(result.end(), pass.before.begin(), pass.before.end());
+  result.insert(result.end(), pass.behind.begin(), pass.behind.end());
+  result.insert(result.end(), at + 1, arcs.end());
+  return result;
+}
 
 // The halfedges that a closed curve crosses when it is led past each of its pivots on one side.
 inline Strip strip_beside(const Progressive_mesh& pm, const std::vector<Arc>& arcs, Curve_side side)
@@ -50,7 +64,8 @@ inline Strip strip_beside(const Progressive_mesh& pm, const std::vector<Arc>& ar
 // length is a convex function of the places of its crossings. So on the straight way it is never longer than at one of
 // its ends.
 //
-// `angles` of the surface. Linear in the crossings of the curve, and once more for each pass.
+// `angles` of the surface. Linear in the crossings of the curve, and for each vertex at which the surface is curved so
+// that there may be a pass linear in the arc and in the number of pivots.
 inline std::vector<Vertex_pass> vertex_passes(const Progressive_mesh& pm, const Corner_angles& angles,
                                               const std::vector<Arc>& arcs, double greatest_length,
                                               String_puller& puller)
@@ -58,7 +73,7 @@ inline std::vector<Vertex_pass> vertex_passes(const Progressive_mesh& pm, const 
   std::vector<Vertex_pass> result;
   const double length = total_length(arcs);
   Strip before, behind;
-  std::vector<Arc> drawn;
+  std::vector<Arc> to, from;
   std::vector<Portal> portals;
   const auto total_angle = [&](Index out) { // around the source of a halfedge
     double sum = 0;
@@ -80,20 +95,20 @@ inline std::vector<Vertex_pass> vertex_passes(const Progressive_mesh& pm, const 
         return;
       before.assign(arc.crossings.begin(), arc.crossings.begin() + static_cast<std::ptrdiff_t>(k));
       behind.assign(arc.crossings.begin() + static_cast<std::ptrdiff_t>(k), arc.crossings.end());
-      drawn.clear();
-      puller.pull(arc.from, before, v, drawn);
-      const std::size_t at_vertex = drawn.size();
-      puller.pull(v, behind, arc.to, drawn);
-      const double passes = length - arc.length + total_length(drawn);
-      if(passes > greatest_length || at_vertex == 0 || at_vertex == drawn.size())
+      to.clear();
+      puller.pull(arc.from, before, v, to);
+      from.clear();
+      puller.pull(v, behind, arc.to, from);
+      double drawn = total_length(to);
+      for(const Arc& a : from)
+        drawn += a.length;
+      const double passes = length - arc.length + drawn;
+      if(passes > greatest_length || to.empty() || from.empty())
         return;
-      const Side_angles at = side_angles(pm, drawn[at_vertex - 1], drawn[at_vertex], angles);
+      const Side_angles at = side_angles(pm, to.back(), from.front(), angles);
       if((side == Curve_side::LEFT ? at.left : at.right) >= CGAL_PI) // it becomes longer
         return;
-      std::vector<Arc> whole(arcs.begin(), arcs.begin() + static_cast<std::ptrdiff_t>(i));
-      whole.insert(whole.end(), drawn.begin(), drawn.end());
-      whole.insert(whole.end(), arcs.begin() + static_cast<std::ptrdiff_t>(i) + 1, arcs.end());
-      result.push_back({std::move(whole), passes, v, side});
+      result.push_back({i, to, from, passes, v, side});
     };
     if(arc.is_edge())
     {

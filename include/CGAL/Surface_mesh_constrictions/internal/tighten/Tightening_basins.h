@@ -18,7 +18,8 @@ namespace internal {
 // Tightens curves one after the other, and finds out which of them end as the same curve. A step of the tightening
 // depends on the curve alone, so a curve that meets the way of an earlier one has the same end, and is not tightened
 // any further. Only one in eight curves on a way is remembered, chosen by its hash: two ways that have met soon pass
-// the same remembered curve.
+// the same remembered curve. On a long way it is one in as many as a sixteenth of the steps so far, so that a way of
+// millions of steps needs little memory.
 class Tightening_basins
 {
 public:
@@ -32,15 +33,22 @@ public:
     m_ends.resize(static_cast<std::size_t>(c) + 1, null_index);
     Index known = null_index;
     m_pivots.resize(m_ends.size(), null_index);
+    std::uint64_t steps = 0, mask = 7;
     const auto pass = [&](Index curve) {
       if(m_network.is_empty(curve))
         return true;
       m_pivots[c] = m_network.arc(m_network.curve(curve).first).from;
-      if((m_network.curve(curve).hash & 7u) != 0)
+      if(++steps > 32 * mask)
+        mask = 2 * mask + 1;
+      const std::uint64_t hash = m_network.curve(curve).hash;
+      if((hash & 7u) != 0)
         return false;
-      const auto passed = m_passed.emplace(m_network.curve(curve).hash, curve);
-      known = passed.first->second;
-      return known != curve;
+      const auto passed = m_passed.find(hash);
+      if(passed != m_passed.end())
+        known = passed->second;
+      else if((hash & mask) == 0)
+        m_passed.emplace(hash, curve);
+      return known != null_index && known != curve;
     };
     if(!pass(c))
     {
