@@ -18,8 +18,8 @@
 class ConstrictionDetectionVisitor
 {
 public:
-  /// called when a stage begins that takes `steps` steps at most: edge collapses, levels, or curves. With several
-  /// simplification policies the first three stages are repeated.
+  /// called when a stage begins that takes `steps` steps at most: edge collapses, levels, curves, or parts of
+  /// curves. With several simplification policies the first three stages are repeated.
   void on_stage_begin(CGAL::Surface_mesh_constrictions::Detection_stage stage, std::size_t steps) const;
 
   /// called when `done` steps of the stage under way are done; `done` grows, and may skip

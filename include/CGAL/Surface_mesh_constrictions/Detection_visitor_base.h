@@ -46,7 +46,8 @@ enum class Detection_stage
 /// \cgalModels{ConstrictionDetectionVisitor}
 struct Detection_visitor_base
 {
-  /// called when a stage begins that takes `steps` steps at most: edge collapses, levels, or curves
+  /// called when a stage begins that takes `steps` steps at most: edge collapses, levels, curves, or
+  /// parts of curves
   void on_stage_begin(Detection_stage /* stage */, std::size_t /* steps */) const {}
 
   /// called when `done` steps of the stage under way are done; `done` grows, and may skip

@@ -94,8 +94,8 @@ public:
   // Closes the hierarchy; returns the number of seeds that are skipped.
   std::size_t close()
   {
-    return m_hierarchy.close<CGAL::Sequential_tag>(m_found, m_refined, m_seeds,
-                                                   [this](std::vector<Found_curve>& curves) { certify(curves); });
+    return m_hierarchy.close<CGAL::Sequential_tag>(
+        m_found, m_refined, m_seeds, [this](std::vector<Found_curve>& curves) { certify(curves); }, [](std::size_t) {});
   }
 
   // The rings that have been certified, in this order.

@@ -478,6 +478,7 @@ TEST(Detection, TheVisitorHearsOfTheStagesInOrder)
   EXPECT_EQ(last[1], last[0]);
   EXPECT_EQ(last[2], last[0]);
   EXPECT_GT(last[3], 0u);
+  EXPECT_GT(last[5], result.size()); // it tells how far the measuring of a curve is
 }
 
 TEST(Detection, FaceLocationsAreThePoints)

@@ -223,12 +223,15 @@ TEST(Ends, ACurveThatSlidesToOneThatIsDroppedIsFollowedToItsEnd)
   const internal::Surface_sides sides(pm);
   internal::Detected_hierarchy hierarchy(pm, no_levels, sides, network);
   std::size_t dropped = 0;
-  hierarchy.close<CGAL::Sequential_tag>(found, refined, seeds, [&](std::vector<internal::Found_curve>& curves) {
-    for(const internal::Found_curve& f : curves)
-      network.remove(f.curve);
-    dropped += curves.size();
-    curves.clear();
-  });
+  hierarchy.close<CGAL::Sequential_tag>(
+      found, refined, seeds,
+      [&](std::vector<internal::Found_curve>& curves) {
+        for(const internal::Found_curve& f : curves)
+          network.remove(f.curve);
+        dropped += curves.size();
+        curves.clear();
+      },
+      [](std::size_t) {});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(dropped, 1u);
   const internal::Hierarchy_entry entry = hierarchy.entries(found).front();
@@ -275,8 +278,8 @@ Necks necks(const std::vector<double>& radii, const std::vector<int>& places)
   const std::deque<internal::Measuring_level> no_levels;
   const internal::Surface_sides sides(pm);
   internal::Detected_hierarchy hierarchy(pm, no_levels, sides, network);
-  result.passed =
-      hierarchy.close<CGAL::Sequential_tag>(result.found, refined, seeds, [](std::vector<internal::Found_curve>&) {});
+  result.passed = hierarchy.close<CGAL::Sequential_tag>(
+      result.found, refined, seeds, [](std::vector<internal::Found_curve>&) {}, [](std::size_t) {});
   result.entries = hierarchy.entries(result.found);
   return result;
 }

@@ -175,8 +175,8 @@ TEST(Progress, is_a_line_for_the_whole_with_the_time_left)
   using constrictions::progress_line;
   const constrictions::Stages all = {Detection_stage::SIMPLIFICATION, Detection_stage::SELECTION};
   EXPECT_EQ(progress_line(all, Detection_stage::SIMPLIFICATION, 0, 1), "Simplification, 0%, 0:00:01");
-  EXPECT_EQ(progress_line(all, Detection_stage::SIMPLIFICATION, 0.4, 2),
-            "Simplification, 10%, 0:00:02, about 0:00:18 left");
+  EXPECT_EQ(progress_line(all, Detection_stage::SIMPLIFICATION, 0.8, 2),
+            "Simplification, 10%, 0:00:02, about 0:00:17 left");
   EXPECT_EQ(progress_line(all, Detection_stage::SELECTION, 1, 3700), "Selection, 100%, 1:01:40, about 0:00:00 left");
   EXPECT_EQ(progress_line({Detection_stage::CERTIFICATION, Detection_stage::CERTIFICATION},
                           Detection_stage::CERTIFICATION, 0.5, 30),

@@ -46,7 +46,8 @@ void Stage_monitor::show(double part_of_stage)
   const double at_least = 0.5, between = 0.1;
   const Clock::time_point now = Clock::now();
   const double elapsed = std::chrono::duration<double>(now - m_begin_of_all).count();
-  if(elapsed < at_least || (m_is_shown && std::chrono::duration<double>(now - m_shown_at).count() < between))
+  const bool shows_stage = m_is_shown && m_shown_at >= m_begin; // a stage that begins is shown at once
+  if(elapsed < at_least || (shows_stage && std::chrono::duration<double>(now - m_shown_at).count() < between))
     return;
   m_is_shown = true;
   m_shown_at = now;

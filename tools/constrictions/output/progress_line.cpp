@@ -16,7 +16,7 @@ const std::array<const char*, 6> titles = {
     {"Simplification", "Seeds", "Refinement", "Tightening", "Certification", "Selection"}};
 
 // About how much of the time of a detection each stage takes, in per cent.
-const std::array<double, 6> shares = {{25, 15, 10, 15, 5, 30}};
+const std::array<double, 6> shares = {{13, 10, 18, 5, 2, 52}};
 
 // Of the stages before one, from another one on.
 double sum_of_shares(std::size_t first, std::size_t end)

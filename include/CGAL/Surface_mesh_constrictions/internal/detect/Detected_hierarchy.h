@@ -50,11 +50,15 @@ public:
   // Measures the curves that have been found, and adds those that they slide to: to `found`, sorted by length and each
   // once, and their seeds to `refined` and `seeds`. A curve on the way that hardly holds itself is skipped.
   // certify(found) certifies new curves, and drops those that are not constrictions; the way leads on from these, too.
-  // Returns the number of seeds of skipped curves. Cost: that of `Barrier_search::search()` for each curve.
-  template <class ConcurrencyTag, class Certify>
+  // Calls on_step() with the number of steps done, `Prominence_meter::steps_of_curve` for each curve found at first; those
+  // that join are not counted. Returns the number of seeds of skipped curves. Cost: that of `Barrier_search::search()`
+  // for each curve.
+  template <class ConcurrencyTag, class Certify, class Progress>
   std::size_t close(std::vector<Found_curve>& found, std::vector<Refined_curve>& refined,
-                    std::vector<Seed_curve>& seeds, const Certify& certify)
+                    std::vector<Seed_curve>& seeds, const Certify& certify, const Progress& on_step)
   {
+    std::size_t steps_before = 0;
+    const std::size_t steps = Prominence_meter::steps_of_curve * found.size();
     std::vector<Found_curve> added; // not measured yet
     for(std::size_t number_distinct = 0;;)
     {
@@ -75,7 +79,11 @@ public:
         asked.push_back(f.curve);
       if(asked.empty())
         return number_of_passed_seeds();
-      std::vector<Found_curve> next = measure<ConcurrencyTag>(asked, found, refined, seeds);
+      std::vector<Found_curve> next = measure<ConcurrencyTag>(asked, found, refined, seeds, [&](std::size_t done) {
+        if(steps_before + done <= steps)
+          on_step(steps_before + done);
+      });
+      steps_before += Prominence_meter::steps_of_curve * asked.size();
       std::vector<Found_curve> held;
       for(const Found_curve& f : added)
       {
@@ -383,10 +391,11 @@ private:
     return false;
   }
 
-  // Writes the entries of curves of the network. Returns new curves that they slide to.
-  template <class ConcurrencyTag>
+  // Writes the entries of curves of the network, and calls on_step() as `Prominence_meter` does. Returns new curves that they slide to.
+  template <class ConcurrencyTag, class Progress>
   std::vector<Found_curve> measure(const std::vector<Index>& asked, const std::vector<Found_curve>& found,
-                                   std::vector<Refined_curve>& refined, std::vector<Seed_curve>& seeds)
+                                   std::vector<Refined_curve>& refined, std::vector<Seed_curve>& seeds,
+                                   const Progress& on_step)
   {
     std::vector<Measured_curve> curves;
     for(Index c : asked)
@@ -397,7 +406,7 @@ private:
       m.separates = m_sides.part(m.trace).is_separating();
       curves.push_back(std::move(m));
     }
-    const std::vector<Prominence> prominences = m_meter.measure<ConcurrencyTag>(curves);
+    const std::vector<Prominence> prominences = m_meter.measure<ConcurrencyTag>(curves, on_step);
 
     Distinct_curves distinct(m_network);
     for(const Found_curve& f : found)

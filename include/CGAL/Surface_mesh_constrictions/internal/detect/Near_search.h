@@ -515,7 +515,7 @@ private:
       if(!meter)
         meter.emplace(m_pm, m_prepared.measuring());
       const Measured_curve measured = {arcs, points, f.length, curve.is_separating()};
-      const Prominence p = std::move(meter->template measure<Sequential_tag>({measured}).front());
+      const Prominence p = std::move(meter->template measure<Sequential_tag>({measured}, [](std::size_t) {}).front());
       if(!m_selection.all && !is_rim && p.value < m_selection.minimum_prominence)
         continue;
       if(crossed)

@@ -84,12 +84,13 @@ constrictions_of_seeds(const Imported_mesh<TriangleMesh>& imported, const Progre
   certify(found, [&visitor](std::size_t i) { visitor.on_step(Detection_stage::CERTIFICATION, i); });
   visitor.on_stage_end(Detection_stage::CERTIFICATION);
 
-  visitor.on_stage_begin(Detection_stage::SELECTION, found.size());
+  visitor.on_stage_begin(Detection_stage::SELECTION, measures ? Prominence_meter::steps_of_curve * found.size() : 0);
   Detected_hierarchy hierarchy(pm, levels, sides, network);
   std::size_t passed = 0;
   if(measures)
     passed = hierarchy.close<ConcurrencyTag>(
-        found, refined, seeds, [&](std::vector<Found_curve>& curves) { certify(curves, [](std::size_t) {}); });
+        found, refined, seeds, [&](std::vector<Found_curve>& curves) { certify(curves, [](std::size_t) {}); },
+        [&visitor](std::size_t i) { visitor.on_step(Detection_stage::SELECTION, i); });
   statistics.barriers = static_cast<std::size_t>(std::count_if(
       seeds.begin(), seeds.end(), [](const Seed_curve& seed) { return seed.origin == Seed_origin::BARRIER; }));
   statistics.seeds = seeds.size() - statistics.barriers;

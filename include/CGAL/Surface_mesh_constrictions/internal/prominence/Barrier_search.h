@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -71,6 +72,9 @@ public:
 
   Boundary_tightener& tightener() { return m_tightener; }
 
+  // What is called now and then during a search.
+  void set_pulse(std::function<void()> pulse) { m_pulse = std::move(pulse); }
+
   // Searches from a simple closed geodesic with this trace, up to a length. The sides of a curve that does not separate
   // meet. Curves of the same length are looked for `with_ties` only. If the curve behind the barrier hardly holds, its
   // `Descent` is the end. O(m log m) for m faces swept, plus the tightening of O(log m) boundaries, and the same again
@@ -120,6 +124,8 @@ private:
   }
 
   static constexpr std::size_t most_detours = 16, most_alike_detours = 128, most_passes = 64;
+  // No detour follows if those before it have swept more vertices than this.
+  static constexpr std::size_t most_swept_by_detours = 4000000;
   // Rises that differ by less than this share of the length are equal but for rounding.
   static constexpr double equal_rise_tolerance = 1e-12;
 
@@ -146,11 +152,14 @@ private:
     // sweep from that one is better aligned; the lowest such curve first.
     // Beyond some such curves only those are passed that are nearly as short as the goal, and only for a barrier of less
     // than half the height: of equal ways the nearer one is kept.
+    // Noise makes many such curves on a fine mesh, and sweeps from them go as far as the first one did.
     std::vector<Index> passed(1, m_goal);
+    std::size_t swept_by_detours = 0;
     const auto is_longer = [this](const Neighbour& n) {
       return m_tightener.length(n.curve) > (1 + alike_tolerance) * m_goal_length;
     };
-    for(std::size_t i = 0; i < (detours < most_detours ? detours : most_alike_detours); ++i)
+    for(std::size_t i = 0;
+        i < (detours < most_detours ? detours : most_alike_detours) && swept_by_detours < most_swept_by_detours; ++i)
     {
       const double limit = i < detours ? best.length : m_goal_length + (best.length - m_goal_length) / 2;
       if(i >= detours)
@@ -177,6 +186,7 @@ private:
       const std::vector<Trace_point> its_trace = internal::trace(m_tightener.surface(), m_tightener.arcs(by.curve));
       find_pinches(its_trace);
       Barrier found = sweep(by.curve, its_trace, limit);
+      swept_by_detours += m_sweep.number_swept();
       found.length = (std::max)(found.length, by.barrier);
       if((found.end == Barrier_end::CURVE || found.end == Barrier_end::POINT) && found.length < limit)
         best = std::move(found);
@@ -308,10 +318,11 @@ private:
         b.strip = strip_beside(m_tightener.surface(), arcs, side);
       return b;
     };
-    Tightened_boundary result = let_go(pass.arcs, pass.far_side);
+    const std::vector<Arc> at_vertex = drawn_to_vertex(m_tightener.arcs(curve), pass);
+    Tightened_boundary result = let_go(at_vertex, pass.far_side);
     if(height <= (1 + negligible_prominence) * m_goal_length && result.is_simple && is_lower(result))
       return result;
-    const std::vector<Arc> held = m_tightener.tighten_held(pass.arcs, pass.vertex);
+    const std::vector<Arc> held = m_tightener.tighten_held(at_vertex, pass.vertex);
     if(held.size() < 2 || total_length(held) >= pass.length ||
        m_tightener.let_go(held, pass.vertex, other_side(pass.far_side)).longest != curve)
       return result;
@@ -473,6 +484,8 @@ private:
   // that stands for both. If so, its end is written to `found`.
   bool is_behind(std::size_t s, std::size_t level, Barrier& found)
   {
+    if(m_pulse)
+      m_pulse();
     Tightened_boundary b = m_tightener.tighten(m_sweep.boundary(s, level), m_sides[s].lengths[level],
                                                m_length + equal_length_tolerance * m_goal_length);
     if(!b.is_simple || (b.longest == null_index && !m_separates))
@@ -509,6 +522,7 @@ private:
   double m_barrier_before = 0; // the greatest length on the way to the curve that is swept from
   bool m_separates = true, m_with_ties = true;
   Barrier m_lowest;
+  std::function<void()> m_pulse;
 };
 
 } // namespace internal

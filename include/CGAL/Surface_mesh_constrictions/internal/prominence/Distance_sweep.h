@@ -36,7 +36,7 @@ class Distance_sweep
 {
 public:
   Distance_sweep(const Progressive_mesh& pm, const Edge_lengths& lengths)
-    : m_pm(pm), m_front(pm, lengths), m_sides{{Side(pm, lengths), Side(pm, lengths)}},
+    : m_pm(pm), m_lengths(lengths), m_front(pm, lengths), m_sides{{Side(pm, lengths), Side(pm, lengths)}},
       m_is_crossed(pm.number_of_halfedge_ids()), m_is_passed(pm.number_of_halfedge_ids())
   {}
 
@@ -46,6 +46,7 @@ public:
     ++m_sweep;
     m_scale = Level_scale(length);
     m_sides_meet = sides_meet;
+    m_longest_edge = 0;
     m_meeting_distance = (std::numeric_limits<double>::infinity)();
     m_front.restart();
     m_crossings = crossings_beside_pivots(m_pm, trace);
@@ -120,6 +121,9 @@ public:
   // The least distance of a corner of a face in which the sides have met; infinity if they have not met so far.
   double meeting_distance() const { return m_meeting_distance; }
 
+  // how many vertices have been swept on both sides
+  std::size_t number_swept() const { return m_sides[0].vertices.size() + m_sides[1].vertices.size(); }
+
   // the vertex that was settled last on a side; null_index if none was
   Index last_vertex(std::size_t s) const
   {
@@ -129,16 +133,16 @@ public:
   // The boundary, without the start, of the region swept on a side up to a level that is complete: the halfedges that
   // each of its closed curves crosses, in order, from their face to the opposite one. The target of each is swept, or
   // lies across the start. A halfedge from or to a ghost stands for its other end, on the rim of a hole that the curve
-  // runs along. Linear in the swept region.
+  // runs along. Linear in the vertices that lie as near to the start or to the boundary as the longest edge is long; in
+  // all that are swept if the sides meet or the surface has holes.
   std::vector<Strip> boundary(std::size_t s, std::size_t level)
   {
     ++m_boundary;
     m_distance = m_scale.level(level);
     std::vector<Strip> strips;
-    for(Index v : m_sides[s].vertices)
-    {
+    const auto follow_from = [&](Index v) {
       if(!is_swept(v, s))
-        continue;
+        return;
       const Index begin = m_pm.outgoing(v);
       Index h = begin;
       do
@@ -147,7 +151,19 @@ public:
           follow(h, s, strips);
         h = m_pm.ccw(h);
       } while(h != begin);
-    }
+    };
+    // in the order of their distances
+    const std::vector<Index>& vertices = m_sides[s].vertices;
+    const auto further_than = [&](double distance) {
+      return std::partition_point(vertices.begin(), vertices.end(),
+                                  [&](Index v) { return m_front.distance(v, s) <= distance; });
+    };
+    // No neighbour of the vertices between these has been left out, as a front is no faster than the way along an edge.
+    const bool is_far_from_others = !m_sides_meet && !m_pm.has_boundary();
+    const auto begin_inside = is_far_from_others ? further_than(m_longest_edge) : vertices.end();
+    const auto end_inside = is_far_from_others ? further_than(m_distance - m_longest_edge) : vertices.end();
+    std::for_each(vertices.begin(), begin_inside, follow_from);
+    std::for_each((std::max)(begin_inside, end_inside), vertices.end(), follow_from);
     for(Index crossing : m_crossings)
     {
       const Index h = s == 0 ? crossing : m_pm.opposite(crossing); // from the other side of the start
@@ -314,6 +330,7 @@ private:
     do
     {
       const Index f = m_pm.face(h);
+      m_longest_edge = (std::max)(m_longest_edge, m_lengths[h]);
       if(m_pm.has_boundary() && m_pm.is_on_boundary(h) && m_front.is_settled(m_pm.target(h), s))
         m_sides[s].rims.add(h, m_front.distance(v, s), m_front.distance(m_pm.target(h), s));
       if(!m_front.is_barred(f))
@@ -358,13 +375,15 @@ private:
   }
 
   const Progressive_mesh& m_pm;
+  const Edge_lengths& m_lengths;
   Distance_front m_front;
   std::array<Side, 2> m_sides;
   std::vector<Index> m_crossings;   // of the start, moved to its left at its pivots
   Zeroed_array<Index> m_is_crossed; // the last sweep whose start crossed an edge an odd number of times
   Zeroed_array<Index> m_is_passed;  // the last boundary that was followed across a halfedge
   Index m_sweep = 0, m_boundary = 0;
-  double m_distance = 0; // up to which a boundary is computed
+  double m_longest_edge = 0; // at a vertex that has been settled
+  double m_distance = 0;     // up to which a boundary is computed
   double m_meeting_distance = (std::numeric_limits<double>::infinity)();
   bool m_sides_meet = false;
   Level_scale m_scale{1};

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <tuple>
@@ -45,6 +46,9 @@ public:
     m_paths_on_finer.emplace(finer->m_level.copy.surface());
     m_to_finer.emplace(*m_paths_on_finer, level.copy, &finer->m_level.copy);
   }
+
+  // What is called now and then during a search.
+  void set_pulse(std::function<void()> pulse) { m_search.set_pulse(std::move(pulse)); }
 
   // The prominence of the curve from which `input` searched last; none if this level does not hold that curve. Cost:
   // that of `Barrier_search::search()` on the level, plus that of tightening curves on T^0.

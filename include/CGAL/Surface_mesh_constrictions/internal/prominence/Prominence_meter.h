@@ -19,7 +19,9 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -37,9 +39,13 @@ public:
     : m_pm(pm), m_lengths(pm), m_angles(pm), m_levels(levels)
   {}
 
-  // Of curves, in their order. Cost: that of `Barrier_search::search()` for each.
-  template <class ConcurrencyTag>
-  std::vector<Prominence> measure(const std::vector<Measured_curve>& curves)
+  // In so many steps a curve is measured.
+  static constexpr std::size_t steps_of_curve = 64;
+
+  // Of curves, in their order. Calls on_step() with the number of steps done, one call at a time. Cost: that of
+  // `Barrier_search::search()` for each.
+  template <class ConcurrencyTag, class Progress>
+  std::vector<Prominence> measure(const std::vector<Measured_curve>& curves, const Progress& on_step)
   {
     if(m_regions.empty())
       divide(curves);
@@ -48,11 +54,31 @@ public:
     for(std::size_t i = 0; i < curves.size(); ++i)
       region(curves[i]).curves.push_back(i);
     std::vector<Prominence> result(curves.size());
+    std::mutex mutex;
+    std::size_t done = 0;
+    const auto add_steps = [&](std::size_t n) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      on_step(done += n);
+    };
     CGAL::for_each<ConcurrencyTag>(m_regions, [&](Region& r) {
-      if(!r.searches && !r.curves.empty())
+      if(r.curves.empty())
+        return true;
+      if(!r.searches)
         r.searches.emplace(m_pm, m_lengths, m_angles, m_levels);
+      std::size_t left = 0; // of the steps of the curve that is measured
+      r.searches->set_pulse([&] {
+        if(left == 1)
+          return;
+        --left;
+        add_steps(1);
+      });
       for(const std::size_t i : r.curves)
+      {
+        left = steps_of_curve;
         result[i] = measure(*r.searches, curves[i]);
+        add_steps(left);
+      }
+      r.searches->set_pulse({});
       return true;
     });
     return result;
@@ -77,6 +103,13 @@ private:
     {
       for(auto level = levels.rbegin(); level != levels.rend(); ++level)
         on_levels.emplace_front(pm, to_input, *level, on_levels.empty() ? nullptr : &on_levels.front());
+    }
+
+    void set_pulse(const std::function<void()>& pulse)
+    {
+      on_input.set_pulse(pulse);
+      for(Level_search& level : on_levels)
+        level.set_pulse(pulse);
     }
   };
 
