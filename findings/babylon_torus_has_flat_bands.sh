@@ -6,9 +6,9 @@
 # Guess: vertices are there twice along the seams, where texture coordinates jump, so that the surface has borders
 # there; with equal places joined it is a closed torus, as it is in three.js.
 # What happens: the knot is as guessed, the torus is not. Its last row of vertices is the first one again but for the
-# last digits, and there are faces between the two: a torus of 24 segments has 25 times 25 squares. By the numbers of its
-# vertices it is closed, which the others are not, with Euler characteristic 0. But 98 triangles are less than 1e-15 wide,
-# two bands along both directions of the torus, and where near places are joined 49 edges have four faces or more.
+# last digits, and there are faces between the two: a torus of 24 segments has 25 times 25 squares. By the numbers of
+# its vertices it is closed, which the others are not, with Euler characteristic 0. But 98 triangles are less than 1e-15
+# wide, two bands along both directions of the torus, and where near places are joined 49 edges have four faces or more.
 #
 # Why it matters: a torus is what one tests closed geodesics on. That it is closed as it comes invites to take the
 # numbers as they are, and no triangle is degenerate by exact numbers. The mesh has a closed geodesic more than the same

@@ -7,7 +7,8 @@
 # What happens: of two tori side by side only the larger one comes back by the modes Sharp, Smooth and Blocks. "Remove
 # Disconnected" is on, with a threshold that leaves the largest body only. These three never cut a neck, whatever its
 # width, but the length around it is a third more by Sharp, a third less by Smooth, and always that of a cell by Blocks,
-# 0.28 for 0.0031. By the mode Voxel a neck of a tenth of a cell is cut, and a third closed body is left between the two.
+# 0.28 for 0.0031. By the mode Voxel a neck of a tenth of a cell is cut, and a third closed body is left between the
+# two.
 #
 # Why it matters: scans are remeshed to be clean before necks are looked for. The result is closed and smooth in each
 # case; whole bodies are gone, or there is a body that nobody put there, and the length of a neck is that of the mode.

@@ -4,12 +4,12 @@
 #
 # Guess: a closed line ends with the point it begins with, by each algorithm, and has each of its corners once.
 # What happens: with "mpl2014" the line around a disk ends beside its beginning, in the last digits, so that it is an
-# open line with a gap; with the values negated, or by the three others, it is closed. Where samples are equal to
-# the level, points come up to three times in a row: the diamond with four corners has thirteen points, and eight of its
+# open line with a gap; with the values negated, or by the three others, it is closed. Where samples are equal to the
+# level, points come up to three times in a row: the diamond with four corners has thirteen points, and eight of its
 # steps have length 0. All four do that.
 #
-# Why it matters: sections of an image are closed lines to compare constrictions with. One that is not closed counts as a
-# path between borders, and steps without a length have no direction, which is what turning angles are taken from.
+# Why it matters: sections of an image are closed lines to compare constrictions with. One that is not closed counts as
+# a path between borders, and steps without a length have no direction, which is what turning angles are taken from.
 . "$(dirname "$0")/lib/packages.sh"
 debian python3-contourpy=1.0.7-1+b1 python3-numpy
 for folder in blas lapack; do

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Gmsh 4.8.4 (gmsh 4.8.4+ds2-3), a closed surface in STL that is meshed again: ClassifySurfaces, CreateGeometry and
-# Mesh 2, as its tutorial 13 does.
+# Gmsh 4.8.4 (gmsh 4.8.4+ds2-3), a closed surface in STL that is meshed again: ClassifySurfaces, CreateGeometry and Mesh
+# 2, as its tutorial 13 does.
 #
 # Guess: what comes out is one closed surface as what went in, however coarse; a neck that is thinner than the size of
 # the triangles is a small triangle, or there is an error.

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # GUDHI 3.7.1 (python3-gudhi 3.7.1+dfsg-1+b1), SimplexTree.compute_persistence() and betti_numbers() of surfaces.
 #
-# Guess: the Betti numbers of a closed surface are 1, 2, 1 for a torus and 1, 0, 1 for a sphere; of the projective plane,
-# which has one side, they are 1, 0, 0, or 1, 1, 1 as the usual coefficients are those of a bit.
+# Guess: the Betti numbers of a closed surface are 1, 2, 1 for a torus and 1, 0, 1 for a sphere; of the projective
+# plane, which has one side, they are 1, 0, 0, or 1, 1, 1 as the usual coefficients are those of a bit.
 # What happens: homology in the highest dimension is left out by default. A torus has "[1, 2]", an octahedron "[1, 0]",
 # two octahedra "[2, 0]": the number that says that a surface is closed is not there. A sphere, the projective plane and
 # a disk have the same numbers. With persistence_dim_max=True they are complete. The coefficients are those modulo 11,

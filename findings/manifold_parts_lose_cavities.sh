@@ -4,14 +4,15 @@
 #
 # Guess: the parts of a body with a cavity are one part, or two that compose() puts together to the same body. A surface
 # that faces inwards is an error, as it bounds no solid.
-# What happens: of a ball with a cavity there are two parts, the outside with the volume 3.83 and the cavity as a body of
-# the volume -0.48, which has the status "NoError". Put together they are 3.83: the cavity is gone. Their union is the
-# same, and subtracting the cavity adds it, 4.31. Two bodies side by side come back as they were. A torus that faces
+# What happens: of a ball with a cavity there are two parts, the outside with the volume 3.83 and the cavity as a body
+# of the volume -0.48, which has the status "NoError". Put together they are 3.83: the cavity is gone. Their union is
+# the same, and subtracting the cavity adds it, 4.31. Two bodies side by side come back as they were. A torus that faces
 # inwards is taken without an error; the union of it and a cube around it is the cube, the cube without it the sum of
 # both.
 #
-# Why it matters: parts of a mesh are taken one by one, and put together after each was looked at for its necks. Cavities
-# and what lies in them are then filled, with no word; and a volume below zero is the only sign of a mesh inside out.
+# Why it matters: parts of a mesh are taken one by one, and put together after each was looked at for its necks.
+# Cavities and what lies in them are then filled, with no word; and a volume below zero is the only sign of a mesh
+# inside out.
 . "$(dirname "$0")/lib/packages.sh"
 npm_packages manifold-3d@3.5.4
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# rgl 1.0.1 for R (r-cran-rgl 1.0.1-1): readOBJ(), and writeOBJ(), writePLY() and writeSTL() of what was read.
+# rgl 1.0.1 for R (r-cran-rgl 1.0.1-1): readOBJ(), and writeOBJ() and writePLY() of what was read.
 #
 # Guess: a closed torus that is read from OBJ and written again is the same torus in OBJ and PLY, which have numbers for
 # vertices, and loses them in STL only. Coordinates keep their digits in the text formats.
@@ -9,8 +9,8 @@
 # floats of the coordinates: in map coordinates they move by up to a quarter of a metre in OBJ, and by half a metre in
 # PLY as text, which has seven digits. There is no message.
 #
-# Why it matters: a mesh that went through R has no edge with two faces, and no closed curve but around a triangle.
-# A reader that takes vertices by their numbers, which is what the formats say, finds 576 bodies.
+# Why it matters: a mesh that went through R has no edge with two faces, and no closed curve but around a triangle. A
+# reader that takes vertices by their numbers, which is what the formats say, finds 576 bodies.
 . "$(dirname "$0")/lib/packages.sh"
 debian r-cran-rgl=1.0.1-1
 for folder in R/lib "$triplet/blas" "$triplet/lapack"; do

@@ -6,8 +6,8 @@
 # on one side of a plane has the section as its border; validation takes out what is degenerate or there twice.
 # What happens: split() closes holes of three and four edges with new faces and then counts such a body as closed; one
 # with a larger hole is left out without a word. Half an octahedron comes back as a closed pyramid. A torus that is
-# sliced has 288 border edges instead of 96, as triangles that the plane cuts share no vertex with the others at the cut;
-# merge_vertices() mends that. Validation turns a cavity over, so that the volume of 1.17 becomes 1.5.
+# sliced has 288 border edges instead of 96, as triangles that the plane cuts share no vertex with the others at the
+# cut; merge_vertices() mends that. Validation turns a cavity over, so that the volume of 1.17 becomes 1.5.
 #
 # Why it matters: necks of parts are looked for one part at a time. A border is a closed curve like any other, and here
 # it is closed, dropped, or three times as long; what lies around a cavity is measured on a body without one.
