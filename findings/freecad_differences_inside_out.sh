@@ -11,12 +11,7 @@
 #
 # Why it matters: a body with a hole through it, or with a pocket, is made this way, and its necks are then looked for.
 # Turned inside out, they are those of the space around it. Only the volume by the faces, with its sign, tells.
-. "$(dirname "$0")/lib/packages.sh"
-debian freecad-python3=0.20.2+dfsg1-4
-export LD_LIBRARY_PATH="$LD_LIBRARY_PATH:$work/root/usr/lib:$work/root/usr/lib/freecad-python3/lib"
-export PYTHONPATH="$PYTHONPATH:$work/root/usr/lib/freecad-python3/lib:$work/root/usr/lib/freecad/lib"
-export PYTHONPATH="$PYTHONPATH:$work/root/usr/lib/freecad/Mod/Mesh"
-export HOME="$work" XDG_RUNTIME_DIR="$work"
+. "$(dirname "$0")/lib/freecad.sh"
 
 cd "$work"
 cat > sets.py << 'END'

@@ -11,12 +11,7 @@
 #
 # Why it matters: the length of the closed line is what one measures at a waist, and the waist of a mesh that was built
 # symmetrically, or by turning a profile, lies on its edges. That the line closes is no sign that it does so once.
-. "$(dirname "$0")/lib/packages.sh"
-debian freecad-python3=0.20.2+dfsg1-4
-export LD_LIBRARY_PATH="$LD_LIBRARY_PATH:$work/root/usr/lib:$work/root/usr/lib/freecad-python3/lib"
-export PYTHONPATH="$PYTHONPATH:$work/root/usr/lib/freecad-python3/lib:$work/root/usr/lib/freecad/lib"
-export PYTHONPATH="$PYTHONPATH:$work/root/usr/lib/freecad/Mod/Mesh"
-export HOME="$work" XDG_RUNTIME_DIR="$work"
+. "$(dirname "$0")/lib/freecad.sh"
 
 cd "$work"
 cat > sections.py << 'END'

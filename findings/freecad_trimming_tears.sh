@@ -12,12 +12,7 @@
 #
 # Why it matters: one trims a mesh to look at a part of it, and then counts pieces, measures borders or looks for closed
 # curves. Here borders run through the middle of the part, and a check for a solid does not notice the walls.
-. "$(dirname "$0")/lib/packages.sh"
-debian freecad-python3=0.20.2+dfsg1-4
-export LD_LIBRARY_PATH="$LD_LIBRARY_PATH:$work/root/usr/lib:$work/root/usr/lib/freecad-python3/lib"
-export PYTHONPATH="$PYTHONPATH:$work/root/usr/lib/freecad-python3/lib:$work/root/usr/lib/freecad/lib"
-export PYTHONPATH="$PYTHONPATH:$work/root/usr/lib/freecad/Mod/Mesh"
-export HOME="$work" XDG_RUNTIME_DIR="$work"
+. "$(dirname "$0")/lib/freecad.sh"
 
 cd "$work"
 cat > trim.py << 'END'

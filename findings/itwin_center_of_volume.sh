@@ -11,25 +11,18 @@
 #
 # Why it matters: centroids of parts are what one sorts bodies, aligns meshes and measures distances by. In map
 # coordinates the error is as large as the coordinates themselves.
-. "$(dirname "$0")/lib/packages.sh"
-npm_packages @itwin/core-geometry@5.13.3 @itwin/core-bentley@5.13.3
+. "$(dirname "$0")/lib/itwin.sh"
 
 cd "$work"
 cat > centers.mjs << 'END'
 import { readFileSync } from 'node:fs';
 import geometry from '@itwin/core-geometry';
+import { polyface } from './polyface.mjs';
 
-const { IndexedPolyface, PolyfaceQuery } = geometry;
+const { PolyfaceQuery } = geometry;
 const text = ({ x, y, z }) => [x, y, z].map(c => (Math.round(1000 * c) / 1000 + 0).toFixed(3)).join(' ');
-for (const [name, [points, faces]] of JSON.parse(readFileSync('meshes.json'))) {
-  const mesh = IndexedPolyface.create();
-  for (const [x, y, z] of points)
-    mesh.addPointXYZ(x, y, z);
-  for (const face of faces) {
-    for (const i of face)
-      mesh.addPointIndex(i, true);
-    mesh.terminateFacet();
-  }
+for (const [name, data] of JSON.parse(readFileSync('meshes.json'))) {
+  const mesh = polyface(data);
   const volume = PolyfaceQuery.computePrincipalVolumeMoments(mesh);
   const area = PolyfaceQuery.computePrincipalAreaMoments(mesh);
   console.log(`${name}: volume ${volume.quantitySum.toFixed(3)}, centroid of the volume ${text(volume.origin)}, ` +

@@ -12,24 +12,16 @@
 #
 # Why it matters: the waist of a mesh that was built symmetrically, or by turning a profile, lies on its edges. The
 # length of a section there is what one compares a constriction with.
-. "$(dirname "$0")/lib/packages.sh"
-npm_packages @itwin/core-geometry@5.13.3 @itwin/core-bentley@5.13.3
+. "$(dirname "$0")/lib/itwin.sh"
 
 cd "$work"
 cat > sections.mjs << 'END'
 import { readFileSync } from 'node:fs';
 import geometry from '@itwin/core-geometry';
+import { polyface } from './polyface.mjs';
 
-const { ClipPlane, IndexedPolyface, Point3d, PolyfaceClip, PolyfaceQuery } = geometry;
-const [points, faces] = JSON.parse(readFileSync('mesh.json'));
-const mesh = IndexedPolyface.create();
-for (const [x, y, z] of points)
-  mesh.addPointXYZ(x, y, z);
-for (const face of faces) {
-  for (const i of face)
-    mesh.addPointIndex(i, true);
-  mesh.terminateFacet();
-}
+const { ClipPlane, Point3d, PolyfaceClip, PolyfaceQuery } = geometry;
+const mesh = polyface(JSON.parse(readFileSync('mesh.json')));
 for (const [name, normal, height] of [['along four edges', [0, 0, 1], 2], ['beside them', [0, 0, 1], 2.001],
                                       ['through two vertices', [1, -1, 0], 2]]) {
   const plane = ClipPlane.createNormalAndPointXYZXYZ(...normal, 0, 0, height);
