@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -306,6 +307,67 @@ TEST(SignProver, EachStageDecidesWhatItIsFor)
   EXPECT_EQ(signs[1], Proved_sign::NEGATIVE);
   EXPECT_EQ(prover.statistics().interval, 1u);
   EXPECT_EQ(prover.statistics().algebra, 1u);
+}
+
+// All faces around a vertex lie in a plane of integers, so that its angles compare with pi as edges turn in the plane.
+TEST(SideAngle, InAPlaneItIsThatFromOneEdgeToTheOther)
+{
+  const std::vector<std::pair<int, int>> directions = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
+                                                       {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+  const std::size_t n = directions.size();
+  for(unsigned seed = 1; seed < 20; ++seed)
+  {
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> component(-9, 9), multiple(1, 5);
+    const std::array<double, 3> e = {{1.0 * component(random), 1.0 * component(random), 10.}},
+                                f = {{1.0 * component(random), 10., 0.5 * component(random)}};
+    test_meshes::Soup soup;
+    std::vector<std::pair<int, int>> star;
+    soup.points.push_back({{0, 0, 0}});
+    for(const std::pair<int, int>& d : directions)
+    {
+      const int m = multiple(random);
+      star.emplace_back(m * d.first, m * d.second);
+      soup.points.push_back({});
+      for(std::size_t k = 0; k < 3; ++k)
+        soup.points.back()[k] = star.back().first * e[k] + star.back().second * f[k];
+    }
+    soup.points.push_back({{100, -100, 0}});
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      soup.faces.push_back({{0, 1 + i, 1 + (i + 1) % n}});
+      soup.faces.push_back({{n + 1, 1 + (i + 1) % n, 1 + i}});
+    }
+    const Mesh mesh = test_meshes::make_mesh(soup);
+    const Surface surface(mesh, mesh.points());
+    const auto arc = [&](std::size_t from, std::size_t to) {
+      const Mesh::Vertex_index a(static_cast<Mesh::size_type>(from)), b(static_cast<Mesh::size_type>(to));
+      Exact_arc<Surface> result;
+      result.from = a;
+      result.to = b;
+      result.along = mesh.halfedge(a, b);
+      return result;
+    };
+    std::size_t straight = 0;
+    Sign_prover<Surface> prover(surface);
+    for(std::size_t i = 0; i < n; ++i)
+      for(std::size_t j = 0; j < n; ++j)
+      {
+        if(i == j)
+          continue;
+        // from the outgoing edge counterclockwise to the incoming one
+        const int turn = star[j].first * star[i].second - star[j].second * star[i].first;
+        const Exact_arc<Surface> incoming = arc(1 + i, 0), outgoing = arc(0, 1 + j);
+        EXPECT_EQ(Side_angle<Surface>(prover, incoming, outgoing, Curve_side::LEFT).sign_beyond_pi(),
+                  proved_sign(-turn));
+        EXPECT_EQ(Side_angle<Surface>(prover, incoming, outgoing, Curve_side::RIGHT).sign_beyond_pi(),
+                  proved_sign(turn));
+        straight += turn == 0;
+      }
+    EXPECT_EQ(straight, n);
+    EXPECT_EQ(prover.statistics().algebra, 2 * n);
+    EXPECT_EQ(prover.statistics().multiprecision, 0u);
+  }
 }
 
 TEST(SignProver, NumbersBelow256BitsAreProvedNonzeroAndGetTheirSign)

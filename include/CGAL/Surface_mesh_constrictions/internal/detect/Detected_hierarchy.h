@@ -391,7 +391,8 @@ private:
     return false;
   }
 
-  // Writes the entries of curves of the network, and calls on_step() as `Prominence_meter` does. Returns new curves that they slide to.
+  // Writes the entries of curves of the network, and calls on_step() as `Prominence_meter` does. Returns new curves that
+  // they slide to.
   template <class ConcurrencyTag, class Progress>
   std::vector<Found_curve> measure(const std::vector<Index>& asked, const std::vector<Found_curve>& found,
                                    std::vector<Refined_curve>& refined, std::vector<Seed_curve>& seeds,

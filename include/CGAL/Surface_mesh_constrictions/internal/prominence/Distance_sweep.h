@@ -158,10 +158,11 @@ public:
       return std::partition_point(vertices.begin(), vertices.end(),
                                   [&](Index v) { return m_front.distance(v, s) <= distance; });
     };
-    // No neighbour of the vertices between these has been left out, as a front is no faster than the way along an edge.
+    // All neighbours of the vertices between these are swept, as each edge leads the front on, and it is no slower.
+    const double longest_step = (1 + 1e-9) * m_longest_edge;
     const bool is_far_from_others = !m_sides_meet && !m_pm.has_boundary();
-    const auto begin_inside = is_far_from_others ? further_than(m_longest_edge) : vertices.end();
-    const auto end_inside = is_far_from_others ? further_than(m_distance - m_longest_edge) : vertices.end();
+    const auto begin_inside = is_far_from_others ? further_than(longest_step) : vertices.end();
+    const auto end_inside = is_far_from_others ? further_than(m_distance - longest_step) : vertices.end();
     std::for_each(vertices.begin(), begin_inside, follow_from);
     std::for_each((std::max)(begin_inside, end_inside), vertices.end(), follow_from);
     for(Index crossing : m_crossings)
