@@ -9,13 +9,7 @@
 # versions, which 3.4 has still, in its menu as "legacy", reads both alike.
 #
 # Why it matters: curves on a surface are handed on as polylines. A closed geodesic becomes one short edge, somewhere.
-. "$(dirname "$0")/lib/packages.sh"
-debian blender=3.4.1+dfsg-2+b1
-export BLENDER_SYSTEM_SCRIPTS="$work/root/usr/share/blender/scripts"
-export BLENDER_SYSTEM_DATAFILES="$work/root/usr/share/blender/datafiles"
-for folder in . "$triplet/blas" "$triplet/lapack" "$triplet/pulseaudio"; do
-  LD_LIBRARY_PATH+=":$work/root/usr/lib/$folder"
-done
+. "$(dirname "$0")/lib/blender.sh"
 
 cd "$work"
 cat > lines.py << 'END'

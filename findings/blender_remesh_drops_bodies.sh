@@ -12,13 +12,8 @@
 #
 # Why it matters: scans are remeshed to be clean before necks are looked for. The result is closed and smooth in each
 # case; whole bodies are gone, or there is a body that nobody put there, and the length of a neck is that of the mode.
-. "$(dirname "$0")/lib/packages.sh"
-debian blender=3.4.1+dfsg-2+b1
-export BLENDER_SYSTEM_SCRIPTS="$work/root/usr/share/blender/scripts"
-export BLENDER_SYSTEM_DATAFILES="$work/root/usr/share/blender/datafiles"
-for folder in . "$triplet/blas" "$triplet/lapack" "$triplet/pulseaudio"; do
-  LD_LIBRARY_PATH+=":$work/root/usr/lib/$folder"
-done
+. "$(dirname "$0")/lib/blender.sh"
+modules="$(realpath "$(dirname "$0")/lib")"
 
 cd "$work"
 cat > remesh.py << 'END'
@@ -68,7 +63,6 @@ for mode in ("SHARP", "SMOOTH", "BLOCKS", "VOXEL"):
             length_around(points, faces, 0.01)))
     print("\n> %s, two tori: bodies %d" % (mode, meshes.components(remeshed(two, mode)[1])))
 END
-modules="$(realpath "$(dirname "$0")/lib")"
 verdict "$(HOME="$work" blender --background --factory-startup --python remesh.py -- "$modules" 2> blender.log |
   grep '^>')" \
 "> SHARP, neck of 0.05, around it 0.31: bodies 1, around it 0.41

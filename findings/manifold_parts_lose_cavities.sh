@@ -13,17 +13,9 @@
 # Why it matters: parts of a mesh are taken one by one, and put together after each was looked at for its necks.
 # Cavities and what lies in them are then filled, with no word; and a volume below zero is the only sign of a mesh
 # inside out.
-. "$(dirname "$0")/lib/packages.sh"
-npm_packages manifold-3d@3.5.4
+. "$(dirname "$0")/lib/manifold.sh"
 
 cd "$work"
-python3 - << 'END'
-import json
-import meshes
-
-with open("torus.json", "w") as out:
-    json.dump(meshes.torus(), out)
-END
 cat > parts.mjs << 'END'
 import { readFileSync } from 'node:fs';
 import Module from 'manifold-3d';

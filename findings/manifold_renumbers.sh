@@ -12,17 +12,9 @@
 # Why it matters: curves given by numbers of faces or vertices, loops for "tighten", labels, belong to the mesh before.
 # And "genus 0, so each curve separates" is no test on a surface with components. This package counts the genus of each
 # component.
-. "$(dirname "$0")/lib/packages.sh"
-npm_packages manifold-3d@3.5.4
+. "$(dirname "$0")/lib/manifold.sh"
 
 cd "$work"
-python3 - << 'END'
-import json
-import meshes
-
-with open("torus.json", "w") as out:
-    json.dump(meshes.torus(), out)
-END
 cat > through.mjs << 'END'
 import { readFileSync } from 'node:fs';
 import Module from 'manifold-3d';
