@@ -357,6 +357,23 @@ TEST(SeedSources, SeveralGiveWhatEachGives)
   EXPECT_EQ(both.seeds, triangles.seeds + loops.seeds);
 }
 
+// On several levels, as its corners are moved.
+TEST(SeedSources, ATriangleIsOneSeedHoweverOftenItIsFound)
+{
+  typedef test_meshes::Mesh::Vertex_index Vertex;
+  const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.02, 1));
+  SMC::Detection_statistics statistics;
+  std::set<std::vector<Vertex>> triangles;
+  for(const auto& c : detect(mesh, SMC::Non_face_triangle_seeds(), statistics))
+    for(const auto& s : c.seeds())
+    {
+      std::vector<Vertex> corners = s.vertices;
+      std::sort(corners.begin(), corners.end());
+      EXPECT_TRUE(triangles.insert(corners).second) << "level " << s.level;
+    }
+  EXPECT_GT(triangles.size(), 10u);
+}
+
 TEST(SeedSources, EverySeedIsAccountedFor)
 {
   for(unsigned seed = 0; seed < 3; ++seed)
