@@ -10,8 +10,10 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Arc.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Curve_network.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Surface_sides.h>
+#include <CGAL/Surface_mesh_constrictions/internal/curves/arcs_of_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/detect/make_constriction.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
+#include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Coordinate_unit.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Corner_angles.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
@@ -85,7 +87,8 @@ private:
       result.verdict = tightening_verdict(result.certificate, m_network.is_empty(c));
     }
     if(result.verdict == Tightening_verdict::CLOSED_GEODESIC)
-      result.curve = m_maker.make(m_network, c, std::vector<Seed_curve>(1, seed), band_width, result.certificate);
+      result.curve = m_maker.make(m_network, c, accurate_trace(m_network.surface(), arcs_of_curve(m_network, c)),
+                                  std::vector<Seed_curve>(1, seed), band_width, result.certificate);
     m_network.remove(c);
     return result;
   }

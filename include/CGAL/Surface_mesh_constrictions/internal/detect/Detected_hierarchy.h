@@ -19,6 +19,8 @@
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/prominences.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 
+#include <CGAL/for_each.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -400,13 +402,17 @@ private:
   {
     std::vector<Measured_curve> curves;
     for(Index c : asked)
-    {
-      Measured_curve m = {arcs_of_curve(m_network, c), {}, m_network.length(c), false, m_without_ties.count(c) == 0,
-                          m_on_input.count(c) > 0};
-      m.trace = accurate_trace(m_pm, m.arcs);
-      m.separates = m_sides.part(m.trace).is_separating();
-      curves.push_back(std::move(m));
-    }
+      curves.push_back({arcs_of_curve(m_network, c),
+                        {},
+                        m_network.length(c),
+                        false,
+                        m_without_ties.count(c) == 0,
+                        m_on_input.count(c) > 0});
+    CGAL::for_each<ConcurrencyTag>(curves, [&](Measured_curve& c) {
+      c.trace = accurate_trace(m_pm, c.arcs);
+      c.separates = m_sides.part(c.trace).is_separating();
+      return true;
+    });
     const std::vector<Prominence> prominences = m_meter.measure<ConcurrencyTag>(curves, on_step);
 
     Distinct_curves distinct(m_network);

@@ -489,13 +489,13 @@ private:
       for(std::size_t s : m_network.curve(f.curve).seeds)
         its_seeds.push_back(m_seeds[s]);
       make_canonical(m_network, f.curve, f.certificate);
-      Result curve = maker.make(m_network, f.curve, its_seeds, f.band_width, f.certificate);
+      const std::vector<Arc> arcs = arcs_of_curve(m_network, f.curve);
+      std::vector<Trace_point> points = accurate_trace(m_pm, arcs);
+      Result curve = maker.make(m_network, f.curve, points, its_seeds, f.band_width, f.certificate);
       const bool is_rim = curve.is_rim() && m_selection.with_rims;
       if(!m_selection.all && !is_rim &&
          (curve.is_rim() || (curve.is_separating() && curve.isoperimetric_ratio() > m_selection.maximum_ratio)))
         continue;
-      const std::vector<Arc> arcs = arcs_of_curve(m_network, f.curve);
-      std::vector<Trace_point> points = accurate_trace(m_pm, arcs);
       if(!m_selection.all && !m_selection.with_crossing)
       {
         if(!crossed)

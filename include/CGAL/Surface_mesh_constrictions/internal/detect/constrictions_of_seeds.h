@@ -19,12 +19,14 @@
 #include <CGAL/Surface_mesh_constrictions/internal/exact/Exact_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/exact/accurate_trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/prominence/Measuring_level.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/Group.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/refine_seed_curves.h>
 #include <CGAL/Surface_mesh_constrictions/select_constrictions.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/for_each.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -95,19 +97,39 @@ constrictions_of_seeds(const Imported_mesh<TriangleMesh>& imported, const Progre
       seeds.begin(), seeds.end(), [](const Seed_curve& seed) { return seed.origin == Seed_origin::BARRIER; }));
   statistics.seeds = seeds.size() - statistics.barriers;
   statistics.barriers -= passed;
-  Constriction_maker<TriangleMesh> maker(imported, pm, sides);
+  const Constriction_maker<TriangleMesh> maker(imported, pm, sides);
+  for(const Found_curve& f : found)
+    make_canonical(network, f.curve, f.certificate);
+  struct Made
+  {
+    std::vector<Constriction<TriangleMesh>> constrictions;
+    std::vector<std::vector<Trace_point>> traces;
+    std::size_t seeds = 0;
+  };
+  auto in_groups = make_groups<Made>(found.size(), 8);
+  CGAL::for_each<ConcurrencyTag>(in_groups, [&](Group<Made>& group) {
+    for(std::size_t k = group.begin; k < group.end; ++k)
+    {
+      const Found_curve& f = found[k];
+      std::vector<Seed_curve> its_seeds;
+      for(std::size_t i : network.curve(f.curve).seeds)
+        for(std::size_t s : refined[i].seeds)
+          its_seeds.push_back(seeds[s]);
+      group.result.seeds += its_seeds.size();
+      std::vector<Trace_point> points = accurate_trace(pm, arcs_of_curve(network, f.curve));
+      group.result.constrictions.push_back(
+          maker.make(network, f.curve, points, its_seeds, f.band_width, f.certificate));
+      group.result.traces.push_back(std::move(points));
+    }
+    return true;
+  });
   std::vector<Constriction<TriangleMesh>> constrictions;
   std::vector<std::vector<Trace_point>> traces;
-  for(const Found_curve& f : found)
+  for(Group<Made>& group : in_groups)
   {
-    std::vector<Seed_curve> its_seeds;
-    for(std::size_t i : network.curve(f.curve).seeds)
-      for(std::size_t s : refined[i].seeds)
-        its_seeds.push_back(seeds[s]);
-    statistics.merged += its_seeds.size() - 1;
-    make_canonical(network, f.curve, f.certificate);
-    constrictions.push_back(maker.make(network, f.curve, its_seeds, f.band_width, f.certificate));
-    traces.push_back(accurate_trace(pm, arcs_of_curve(network, f.curve)));
+    statistics.merged += group.result.seeds - (group.end - group.begin);
+    std::move(group.result.constrictions.begin(), group.result.constrictions.end(), std::back_inserter(constrictions));
+    std::move(group.result.traces.begin(), group.result.traces.end(), std::back_inserter(traces));
   }
   if(measures)
     set_prominences(pm, sides, imported, traces, hierarchy.entries(found), constrictions);

@@ -33,12 +33,13 @@ public:
     : m_imported(imported), m_pm(pm), m_sides(sides)
   {}
 
-  Constriction<TriangleMesh> make(const Curve_network& network, Index c, const std::vector<Seed_curve>& seeds,
-                                  double band_width, const Certificate& certificate)
+  // `points` is the accurate trace of the curve. May be called by several threads. Linear in the curve and its seeds.
+  Constriction<TriangleMesh> make(const Curve_network& network, Index c, const std::vector<Trace_point>& points,
+                                  const std::vector<Seed_curve>& seeds, double band_width,
+                                  const Certificate& certificate) const
   {
     typedef Constriction<TriangleMesh> Result;
     const std::vector<Arc> arcs = arcs_of_curve(network, c);
-    const std::vector<Trace_point> points = accurate_trace(m_pm, arcs);
     typename Result::Data data;
     std::size_t arc = 0;
     for(const Trace_point& p : points)
