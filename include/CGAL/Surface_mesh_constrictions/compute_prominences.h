@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Imported_mesh.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/check_arguments.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -46,19 +47,34 @@ struct Hierarchy_entry
 };
 
 // A curve that cannot become shorter has no barrier. How long it is when its two swept sides meet depends on where it
-// lies. So that equal holes are equally prominent, all curves of nearly the same length get the least of these values,
-// but none less than its own length. Lengths and entries are in the same order.
-inline void level_endless(const std::vector<double>& lengths, std::vector<Hierarchy_entry>& entries)
+// lies. So that equal holes are equally prominent, all curves of nearly the same length and of one shape get the least
+// of these values, but none less than its own length. `are_alike(i, j)` tells of two curves of nearly the same length
+// whether they have the same shape: around a hole and around the body beside it, curves may be as long as each other by
+// chance. Lengths and entries are in the same order. Quadratic in the number of curves of one length.
+template <class AreAlike>
+void level_endless(const std::vector<double>& lengths, const AreAlike& are_alike, std::vector<Hierarchy_entry>& entries)
 {
   std::vector<Index> order = by_length(lengths);
   order.erase(std::remove_if(order.begin(), order.end(), [&](Index i) { return entries[i].has_end; }), order.end());
-  for(std::size_t begin = 0, end; begin < order.size(); begin = end)
+  std::vector<bool> is_level(entries.size(), false);
+  for(std::size_t begin = 0; begin < order.size(); ++begin)
   {
+    const Index first = order[begin];
+    if(is_level[first])
+      continue;
+    std::vector<Index> equal;
     double least = (std::numeric_limits<double>::infinity)();
-    for(end = begin; end < order.size() && lengths[order[end]] <= lengths[order[begin]] * (1 + alike_tolerance); ++end)
-      least = (std::min)(least, (1 + entries[order[end]].prominence) * lengths[order[end]]);
-    for(std::size_t i = begin; i < end; ++i)
-      entries[order[i]].prominence = prominence_of_barrier(least, lengths[order[i]]);
+    for(std::size_t i = begin; i < order.size() && lengths[order[i]] <= lengths[first] * (1 + alike_tolerance); ++i)
+    {
+      const Index other = order[i];
+      if(is_level[other] || (other != first && !are_alike(first, other)))
+        continue;
+      is_level[other] = true;
+      equal.push_back(other);
+      least = (std::min)(least, (1 + entries[other].prominence) * lengths[other]);
+    }
+    for(Index i : equal)
+      entries[i].prominence = prominence_of_barrier(least, lengths[i]);
   }
 }
 
@@ -139,6 +155,25 @@ inline Earlier_curves crossed_evenly(const Progressive_mesh& pm, const std::vect
   return result;
 }
 
+// Curves whose boxes are farther apart than twice this share of their length are not at one place: if the area between
+// them were less than `area_of_one_place`, it would be a tube much thinner than they are.
+constexpr double reach_of_one_place = 0.25;
+
+// The box around a curve, and as much as `reach` on each side.
+inline Bbox_3 surroundings_of_curve(const Progressive_mesh& pm, const std::vector<Trace_point>& trace, double reach)
+{
+  Bbox_3 box;
+  for(const Trace_point& point : trace)
+  {
+    const Vector3 p = position(pm, point);
+    box += Bbox_3(p.x - reach, p.y - reach, p.z - reach, p.x + reach, p.y + reach, p.z + reach);
+  }
+  return box;
+}
+
+// Equal holes that are meshed differently have curves around them whose roundness differs by less than this.
+constexpr double greatest_difference_of_roundness = 0.02;
+
 // Gives constrictions of T^0, of which these are the traces, their places in the hierarchy, and which of the others
 // they cross.
 template <class TriangleMesh>
@@ -155,15 +190,38 @@ void set_prominences(const Progressive_mesh& pm, const Surface_sides& sides,
     data.push_back(c.data());
     lengths.push_back(c.length());
   }
-  level_endless(lengths, entries);
+  level_endless(
+      lengths,
+      [&](std::size_t i, std::size_t j) {
+        return data[i].side == data[j].side &&
+               std::abs(data[i].roundness - data[j].roundness) <= greatest_difference_of_roundness;
+      },
+      entries);
+  std::vector<double> lengths_here; // in the unit of the surface
+  std::vector<Bbox_3> surroundings;
+  for(const std::vector<Trace_point>& trace : traces)
+  {
+    lengths_here.push_back(length(pm, trace));
+    surroundings.push_back(surroundings_of_curve(pm, trace, reach_of_one_place * lengths_here.back()));
+  }
+  std::vector<std::optional<Surface_sides::Bounds>> bounds(traces.size());
+  const auto bounds_of = [&](std::size_t i) -> const Surface_sides::Bounds& {
+    if(!bounds[i])
+      bounds[i] = sides.bounds(traces[i]);
+    return *bounds[i];
+  };
   // the area that a curve must sweep to become another one, relative to its squared length
   const auto isolation_from = [&](std::size_t i, std::size_t j) {
     return data[i].homology_class != data[j].homology_class
                ? (std::numeric_limits<double>::infinity)()
-               : sides.area_between(traces[i], traces[j]) / std::pow(length(pm, traces[i]), 2);
+               : sides.area_between(bounds_of(i), bounds_of(j)) / (lengths_here[i] * lengths_here[i]);
   };
-  lead_endless(lengths, isolation_from, entries);
-  lead_twins(lengths, isolation_from, entries);
+  const auto isolation_nearby = [&](std::size_t i, std::size_t j) {
+    return do_overlap(surroundings[i], surroundings[j]) ? isolation_from(i, j)
+                                                        : (std::numeric_limits<double>::infinity)();
+  };
+  lead_endless(lengths, isolation_nearby, entries);
+  lead_twins(lengths, isolation_nearby, entries);
   std::vector<bool> is_known;
   for(std::size_t i = 0; i < data.size(); ++i)
   {
@@ -300,8 +358,8 @@ OutputIterator compute_prominences_checked(const TriangleMesh& tm, const Constri
 /// cannot become shorter; of two at one place, with hardly any area between them, the longer one slides to the other.
 /// So does the longer one of any two at one place that are nearly as long and as prominent as each other, though the
 /// sweep has found no way between them: they may cross, or run along each other.
-/// Its prominence tells how long it is when its two swept sides meet; several such curves of the same length all get
-/// the least of these values.
+/// Its prominence tells how long it is when its two swept sides meet; several such curves of the same length and shape,
+/// as around equal holes, all get the least of these values.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam ConstrictionRange a range of `Constriction<TriangleMesh>`

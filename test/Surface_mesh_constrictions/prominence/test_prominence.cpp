@@ -270,10 +270,28 @@ TEST(LevelEndless, NoneIsLessProminentThanItsLengthAllows)
   const std::vector<double> prominences = {0.0001, 0.5, 0.25};
   for(std::size_t i = 0; i < 3; ++i)
     entries[i] = {prominences[i], std::nullopt, SMC::null_index, false};
-  internal::level_endless(lengths, entries);
+  internal::level_endless(
+      lengths, [](std::size_t, std::size_t) { return true; }, entries);
   EXPECT_NEAR(entries[0].prominence, 0.0001, 1e-15);
   EXPECT_EQ(entries[1].prominence, 0);
   EXPECT_NEAR(entries[2].prominence, 0.25, 1e-15);
+}
+
+// Numbers 0 and 2 go around equal holes, numbers 1 and 3 around the body beside them.
+TEST(LevelEndless, CurvesOfOtherShapesKeepTheirProminences)
+{
+  namespace internal = SMC::internal;
+  const std::vector<double> lengths = {1, 1.0001, 1.0002, 1.0003};
+  const std::vector<double> prominences = {0.5, 0.2, 0.4, 0.3};
+  std::vector<internal::Hierarchy_entry> entries(4);
+  for(std::size_t i = 0; i < 4; ++i)
+    entries[i] = {prominences[i], std::nullopt, SMC::null_index, false};
+  internal::level_endless(
+      lengths, [](std::size_t i, std::size_t j) { return i % 2 == j % 2; }, entries);
+  EXPECT_NEAR(entries[0].prominence, 1.4 * 1.0002 - 1, 1e-12);
+  EXPECT_NEAR(entries[1].prominence, 0.2, 1e-12);
+  EXPECT_NEAR(entries[2].prominence, 0.4, 1e-12);
+  EXPECT_NEAR(entries[3].prominence, 1.2 * 1.0001 / 1.0003 - 1, 1e-12);
 }
 
 // At the places 0, 0.1, 0.5, 0.55, 0.6 of a line. The last one has an end.

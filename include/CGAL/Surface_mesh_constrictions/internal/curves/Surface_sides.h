@@ -108,19 +108,40 @@ public:
     return result;
   }
 
+  // What `area_between()` needs of a simple closed curve: a face of its component, and the bounds of the paths that it
+  // becomes when it is moved to the next vertices on its left and on its right.
+  struct Bounds
+  {
+    Index face;
+    std::array<std::vector<Index>, 2> of_paths;
+  };
+
+  // O(k log k) for k points.
+  Bounds bounds(const std::vector<Trace_point>& trace) const
+  {
+    const std::vector<Index> left = vertices_passed(m_pm, trace);
+    return {m_pm.face(m_pm.outgoing(left.front())),
+            {{m_cycles.bounds(left), m_cycles.bounds(vertices_passed(m_pm, reversed(m_pm, trace)))}}};
+  }
+
   // The least area that a simple closed curve must sweep to become another one of its class: the area between the two,
   // also where they cross; infinite for curves of different components. Both are moved to the next vertices, to the left
-  // and to the right, and the mean is taken. O(k log k) for k points.
-  double area_between(const std::vector<Trace_point>& trace, const std::vector<Trace_point>& other) const
+  // and to the right, and the mean is taken. Linear in the points of both.
+  double area_between(const Bounds& curve, const Bounds& other) const
   {
-    if(component(trace) != component(other))
+    if(m_cycles.component(curve.face) != m_cycles.component(other.face))
       return (std::numeric_limits<double>::infinity)();
     double sum = 0;
-    const std::vector<Trace_point> back = reversed(m_pm, trace), other_back = reversed(m_pm, other);
-    for(const std::vector<Trace_point>* t : {&trace, &back})
-      for(const std::vector<Trace_point>* o : {&other, &other_back})
-        sum += m_cycles.area_between(vertices_passed(m_pm, *t), vertices_passed(m_pm, *o));
+    for(const std::vector<Index>& path : curve.of_paths)
+      for(const std::vector<Index>& other_path : other.of_paths)
+        sum += m_cycles.area_between(curve.face, path, other_path);
     return sum / 4;
+  }
+
+  // The same of two curves with these traces. O(k log k) for k points.
+  double area_between(const std::vector<Trace_point>& trace, const std::vector<Trace_point>& other) const
+  {
+    return area_between(bounds(trace), bounds(other));
   }
 
   // The area between a curve of a surface and the vertices next to it on its left. Linear.

@@ -137,24 +137,37 @@ public:
     return sum;
   }
 
-  // Of two closed paths of one component that bound together, modulo 2: the area of what has an odd number of them
-  // between itself and the rest, or of that rest, the lesser of the two. O(k log k) for k edges.
-  double area_between(const std::vector<Index>& path, const std::vector<Index>& other) const
+  // The bounds of the intervals of faces beyond the edges of a closed path, ascending. O(k log k) for k edges.
+  std::vector<Index> bounds(const std::vector<Index>& path) const
   {
-    std::vector<Index> bounds; // of the intervals of faces beyond the edges
-    for(const std::vector<Index>* p : {&path, &other})
-      for_each_edge(*p, [&](Index h) {
-        const Index child = child_across(h);
-        if(child == null_index)
-          return;
-        bounds.push_back(m_first[child]);
-        bounds.push_back(m_end[child]);
-      });
-    std::sort(bounds.begin(), bounds.end());
+    std::vector<Index> result;
+    for_each_edge(path, [&](Index h) {
+      const Index child = child_across(h);
+      if(child == null_index)
+        return;
+      result.push_back(m_first[child]);
+      result.push_back(m_end[child]);
+    });
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // Of two closed paths with these bounds, of the component with a face `f`, that bound together, modulo 2: the area of
+  // what has an odd number of them between itself and the rest, or of that rest, the lesser of the two. Linear.
+  double area_between(Index f, const std::vector<Index>& bounds, const std::vector<Index>& other) const
+  {
     double sum = 0;
-    for(std::size_t i = 0; i + 1 < bounds.size(); i += 2)
-      sum += m_area_before[bounds[i + 1]] - m_area_before[bounds[i]];
-    return (std::max)((std::min)(sum, area_of_component(m_pm.face(m_pm.outgoing(path[0]))) - sum), 0.0);
+    Index begin = 0; // of the interval that is open
+    bool is_open = false;
+    for(auto i = bounds.begin(), j = other.begin(); i != bounds.end() || j != other.end();)
+    {
+      const Index bound = j == other.end() || (i != bounds.end() && *i < *j) ? *i++ : *j++;
+      if(is_open)
+        sum += m_area_before[bound] - m_area_before[begin];
+      begin = bound;
+      is_open = !is_open;
+    }
+    return (std::max)((std::min)(sum, area_of_component(f) - sum), 0.0);
   }
 
   // The genera of what a simple closed curve that bounds has on its left and on its right. The curve passes no vertex
