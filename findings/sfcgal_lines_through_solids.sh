@@ -12,8 +12,8 @@
 # one shell of 24 faces in two pieces: volume() of it, and every other function that checks its input, throws "not
 # connected".
 #
-# Why it matters: PostGIS calls these functions under the names ST_3DIntersection, ST_3DDifference and ST_3DDistance.
-# Chords through a neck or along an axis are segments through a solid, with both ends outside.
+# Why it matters: PostGIS offers these functions as ST_3DIntersection and ST_3DDifference. Chords through a neck or
+# along an axis are segments through a solid, with both ends outside.
 . "$(dirname "$0")/lib/packages.sh"
 debian libsfcgal-dev=1.4.1-5 libgmp-dev libmpfr-dev
 
