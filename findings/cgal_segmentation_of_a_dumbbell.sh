@@ -12,7 +12,7 @@
 # Why it matters: this is the segmentation at hand in the library for which this package is made, a dumbbell is the
 # first thing one tries it on, and its neck is as thin as a neck can be. Whoever compares parts cut at constrictions
 # with it should give the number of clusters, and see that more of them are worse.
-. "$(dirname "$0")/lib/packages.sh"
+. "$(dirname "$0")/lib/cgal6.sh"
 debian libcgal-dev=5.5.1-2 libgmp-dev libmpfr-dev
 
 cd "$work"
@@ -57,11 +57,8 @@ for radius in (0.1, 0.02):
 END
 python3 bodies.py
 compile segments gmp mpfr
-curl --fail --silent --show-error --location --output cgal6.deb \
-  "${DEBIAN_MIRROR:-http://deb.debian.org/debian}/pool/main/c/cgal/libcgal-dev_6.0.1-1_amd64.deb"
-dpkg-deb --extract cgal6.deb cgal6
 mv segments segments_5.5.1
-CPLUS_INCLUDE_PATH="$work/cgal6/usr/include:$CPLUS_INCLUDE_PATH" compile segments gmp mpfr
+compile_with_cgal6 segments gmp mpfr
 mv segments segments_6.0.1
 for version in 5.5.1 6.0.1; do
   "./segments_$version" tube_*.off | sed "s/^/CGAL $version, /"

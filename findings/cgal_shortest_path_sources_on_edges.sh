@@ -11,7 +11,7 @@
 # Why it matters: closed curves meet edges, so sources on edges are what one takes to measure from a curve. Distances
 # are wrong by up to the length of an edge, and a triangle inequality fails that a proof may rest on. This package takes
 # vertices only as sources: it makes a mesh of the strip of a curve that has the points of the curve as vertices.
-. "$(dirname "$0")/lib/packages.sh"
+. "$(dirname "$0")/lib/cgal6.sh"
 debian libcgal-dev=5.5.1-2 libgmp-dev libmpfr-dev
 
 cd "$work"
@@ -67,9 +67,5 @@ if [ "$first" != "$stated" ]; then
   verdict "CGAL 5.5.1, $first" "CGAL 5.5.1, $stated"
 fi
 
-# CGAL 6 is in the next Debian; its headers are all that is needed.
-curl --fail --silent --show-error --location --output cgal6.deb \
-  "${DEBIAN_MIRROR:-http://deb.debian.org/debian}/pool/main/c/cgal/libcgal-dev_6.0.1-1_amd64.deb"
-dpkg-deb --extract cgal6.deb cgal6
-CPLUS_INCLUDE_PATH="$work/cgal6/usr/include:$CPLUS_INCLUDE_PATH" compile edges gmp mpfr
+compile_with_cgal6 edges gmp mpfr
 verdict "CGAL 6.0.1, $(./edges)" "CGAL 6.0.1, $stated"
