@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/seeds/Sections.h>
+#include <CGAL/Surface_mesh_constrictions/internal/seeds/find_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_graph.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Shortest_path_tree.h>
 #include <CGAL/Surface_mesh_constrictions/section_seeds.h>
@@ -357,21 +358,24 @@ TEST(SeedSources, SeveralGiveWhatEachGives)
   EXPECT_EQ(both.seeds, triangles.seeds + loops.seeds);
 }
 
-// On several levels, as its corners are moved.
-TEST(SeedSources, ATriangleIsOneSeedHoweverOftenItIsFound)
+// It is found again when a corner has moved, maybe from another corner. Loops of other sources are none of it.
+TEST(RepeatedTriangles, OnFineLevelsATriangleIsOneSeedHoweverOftenItIsFound)
 {
-  typedef test_meshes::Mesh::Vertex_index Vertex;
-  const test_meshes::Mesh mesh = test_meshes::make_mesh(test_meshes::dumbbell(0.02, 1));
-  SMC::Detection_statistics statistics;
-  std::set<std::vector<Vertex>> triangles;
-  for(const auto& c : detect(mesh, SMC::Non_face_triangle_seeds(), statistics))
-    for(const auto& s : c.seeds())
-    {
-      std::vector<Vertex> corners = s.vertices;
-      std::sort(corners.begin(), corners.end());
-      EXPECT_TRUE(triangles.insert(corners).second) << "level " << s.level;
-    }
-  EXPECT_GT(triangles.size(), 10u);
+  SMC::internal::Repeated_triangles repeated;
+  std::vector<Seed_curve> seeds = {{0, {1, 2, 3}, Seed_origin::NON_FACE_TRIANGLE},
+                                   {0, {1, 2, 4}, Seed_origin::NON_FACE_TRIANGLE}};
+  repeated.remove(seeds, 0, 1200);
+  EXPECT_EQ(seeds.size(), 2u);
+  seeds.push_back({200, {3, 1, 2}, Seed_origin::NON_FACE_TRIANGLE});
+  seeds.push_back({200, {1, 2, 3}, Seed_origin::CUT_LOCUS});
+  seeds.push_back({200, {2, 3, 4}, Seed_origin::NON_FACE_TRIANGLE});
+  repeated.remove(seeds, 2, 1000);
+  ASSERT_EQ(seeds.size(), 4u);
+  EXPECT_EQ(seeds[2].origin, Seed_origin::CUT_LOCUS);
+  EXPECT_EQ(seeds[3].vertices, (std::vector<Index>{2, 3, 4}));
+  seeds.push_back({201, {2, 3, 1}, Seed_origin::NON_FACE_TRIANGLE});
+  repeated.remove(seeds, 4, 999);
+  EXPECT_EQ(seeds.size(), 5u);
 }
 
 TEST(SeedSources, EverySeedIsAccountedFor)

@@ -37,18 +37,23 @@ constexpr bool has_seed_detection =
     !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::seed_detection_t>::value;
 
 // Removes the seeds of one level that have been found on a finer one. A triangle of three edges that is no face is found
-// again whenever one of its corners is moved by a collapse. It is the same closed curve on all these levels.
+// again whenever one of its corners is moved by a collapse. It is the same closed curve on all these levels. Yet on a
+// coarse level, where curves are tightened and seeds are few, it may lead to another constriction than from a finer one,
+// and none is removed.
 class Repeated_triangles
 {
 public:
-  // Removes them from those from `first` on. Linear in these.
-  void remove(std::vector<Seed_curve>& seeds, std::size_t first)
+  // Removes them from those from `first` on, of a level with so many vertices. Linear in these.
+  void remove(std::vector<Seed_curve>& seeds, std::size_t first, std::size_t vertices)
   {
+    if(vertices < least_vertices)
+      return;
     const auto begin = seeds.begin() + static_cast<std::ptrdiff_t>(first);
     seeds.erase(std::remove_if(begin, seeds.end(), [this](const Seed_curve& s) { return is_known(s); }), seeds.end());
   }
 
 private:
+  static constexpr std::size_t least_vertices = 1000;
   typedef std::array<Index, 3> Corners;
 
   bool is_known(const Seed_curve& s)
@@ -73,7 +78,7 @@ std::vector<Seed_curve> replay(const Collapse_record& record, const SeedSource& 
   std::vector<Seed_curve> seeds;
   Repeated_triangles repeated;
   source(pm, level, std::back_inserter(seeds));
-  repeated.remove(seeds, 0);
+  repeated.remove(seeds, 0, level.vertices);
   if(first_only && !seeds.empty())
     return {seeds.front()};
   pm.append_collapses(record.collapses, [&](const Edge_collapse& c) {
@@ -81,7 +86,7 @@ std::vector<Seed_curve> replay(const Collapse_record& record, const SeedSource& 
     level.merged = c.kept;
     const std::size_t before = seeds.size();
     source(pm, level, std::back_inserter(seeds));
-    repeated.remove(seeds, before);
+    repeated.remove(seeds, before, level.vertices);
     visitor.on_step(Detection_stage::SEEDS, pm.level());
     return !first_only || seeds.empty();
   });

@@ -14,7 +14,6 @@
 
 #include <CGAL/for_each.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_set>
@@ -46,10 +45,7 @@ struct Ends_of_paths
 template <class ConcurrencyTag, class PathOf>
 std::vector<std::size_t> tighten_paths(std::size_t number_of_paths, const PathOf& path_of, Curve_network& ends)
 {
-  // few groups do more of the work once, many leave no processor idle
-  const std::size_t most_paths_of_group = 512, least_paths_of_group = 32, number_of_groups = 16;
-  const std::size_t group_size =
-      std::clamp(number_of_paths / number_of_groups, least_paths_of_group, most_paths_of_group);
+  const std::size_t group_size = 512;
   const Progressive_mesh& surface = ends.surface();
   const Length_unit unit(surface);
   const Corner_angles angles(surface);
