@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/program_fixture.h"
+#include "include/scene_texts.h"
 
 #include "input/mesh_file.h"
 
@@ -322,6 +323,35 @@ TEST_F(Segment, one_file_of_3mf_has_all_parts)
   // it is removed when parts have files of their own again
   ASSERT_EQ(run("segment " + cactus + " -o parts --quiet").exit_code, 0);
   EXPECT_FALSE(fs::exists(folder / "parts" / "parts.3mf"));
+}
+
+// A slicer that reads inches as millimetres prints parts that are 25.4 times too small.
+TEST_F(Segment, files_of_3mf_keep_the_unit_of_the_mesh)
+{
+  if(!CONSTRICTIONS_HAS_ZIP || !CONSTRICTIONS_HAS_XML)
+    GTEST_SKIP() << "expat or libzip, with which 3MF files are read, is not installed";
+  const std::string off = (folder / "dumbbell.off").string();
+  write("inches.3mf", scene_texts::in_3mf(off, "inch"));
+  const auto unit_of = [&](const std::string& mesh, const std::string& options, const char* file, const char* json_file,
+                           const json& unit_in_json) {
+    EXPECT_EQ(run("segment " + mesh + " -o parts --quiet --format 3mf" + options).exit_code, 0) << mesh;
+    EXPECT_EQ(json::parse(content(fs::path("parts") / json_file)).at("mesh").value("unit", json()), unit_in_json);
+    constrictions::File_record record;
+    const std::string name = (folder / "parts" / file).string();
+    EXPECT_NEAR(PMP::volume(constrictions::read_mesh_file(name, constrictions::Reading(), record)), 56, 1e-12);
+    return record.unit;
+  };
+  EXPECT_EQ(unit_of("inches.3mf", "", "parts.3mf", "parts.json", "inch"), "inch");
+  EXPECT_EQ(unit_of("inches.3mf", " --genus 0", "without_handles.3mf", "handles.json", "inch"), "inch");
+  EXPECT_EQ(unit_of("dumbbell.off", "", "parts.3mf", "parts.json", nullptr), "millimeter");
+  EXPECT_EQ(unit_of("dumbbell.off", " --genus 0", "without_handles.3mf", "handles.json", nullptr), "millimeter");
+
+  // lengths stay as they are
+  const json found = json::parse(run("detect inches.3mf --json -").out);
+  EXPECT_EQ(found.at("mesh").at("unit"), "inch");
+  EXPECT_EQ(found.at("constrictions").at(0).at("length"), 4);
+  EXPECT_NE(run("check inches.3mf").out.find("\nunit          inch\n"), std::string::npos);
+  EXPECT_EQ(run("check dumbbell.off").out.find("\nunit "), std::string::npos);
 }
 
 TEST_F(Segment, obj_files_name_their_part)

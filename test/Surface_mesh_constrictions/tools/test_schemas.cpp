@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/json_schema.h"
 #include "include/program_fixture.h"
+#include "include/scene_texts.h"
 
 #include <gtest/gtest.h>
 
@@ -124,6 +125,16 @@ protected:
     }
     EXPECT_EQ(run("tighten tube.off --labels sides.txt -o labelled").exit_code, 0);
     take(json::parse(content("labelled/parts.json")));
+    if(CONSTRICTIONS_HAS_ZIP && CONSTRICTIONS_HAS_XML)
+    {
+      write("feet.3mf", scene_texts::in_3mf((folder / "dumbbell.off").string(), "foot"));
+      for(const char* arguments : {"detect feet.3mf --json -", "check feet.3mf --json -", "batch feet.3mf"})
+        take_printed(arguments);
+      EXPECT_EQ(run("segment feet.3mf -o feet --quiet").exit_code, 0);
+      take(json::parse(content("feet/parts.json")));
+      EXPECT_EQ(run("segment feet.3mf --genus 0 -o feet --quiet").exit_code, 0);
+      take(json::parse(content("feet/handles.json")));
+    }
   }
 };
 

@@ -36,6 +36,8 @@ std::string check_as_text(const Check_report& report)
     const Json mesh = mesh_as_json(report.mesh_file, report.mesh, report.file);
     for(const char* member : {"vertices", "faces", "triangles", "components", "genus", "holes", "border_edges", "area"})
       out << std::left << std::setw(14) << member << mesh[member] << '\n';
+    if(!report.file.unit.empty())
+      out << std::left << std::setw(14) << "unit" << report.file.unit << '\n';
   }
   const auto list = [&](const std::string& title, const std::vector<std::string>& places, std::size_t count) {
     out << title << '\n';
