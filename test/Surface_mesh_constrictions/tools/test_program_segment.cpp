@@ -5,6 +5,7 @@
 #include "input/mesh_file.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <gtest/gtest.h>
@@ -18,6 +19,7 @@
 #include <cstring>
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -291,6 +293,28 @@ TEST_F(Segment, a_part_with_four_boundaries_has_its_genus)
     boundaries.insert(p.at("boundaries").get<int>());
   }
   EXPECT_EQ(boundaries, (std::multiset<int>{1, 1, 1, 1, 4}));
+}
+
+// A box with a hollow in the form of two cubes and a tube.
+TEST_F(Segment, the_neck_of_a_cavity_chokes_the_complement)
+{
+  program_fixture::Cubes cubes;
+  cubes.add_box({-1, -1, -1}, {9, 4, 4});
+  write("box.off", cubes.off());
+  constrictions::Mesh mesh = constrictions::read_mesh_file((folder / "dumbbell.off").string());
+  PMP::reverse_face_orientations(mesh);
+  mesh += constrictions::read_mesh_file((folder / "box.off").string());
+  std::ostringstream out;
+  out << mesh;
+  write("hollow.off", out.str());
+  const json j = segment("hollow.off");
+  ASSERT_EQ(j.at("curves").size(), 1u);
+  EXPECT_EQ(j.at("curves")[0].at("side"), "complement");
+  std::multiset<double> of_cavities, of_others;
+  for(const json& p : j.at("parts"))
+    (p.at("cavity").get<bool>() ? of_cavities : of_others).insert(p.at("volume").get<double>());
+  EXPECT_EQ(of_cavities, (std::multiset<double>{-29, -27}));
+  EXPECT_EQ(of_others, std::multiset<double>{250});
 }
 
 TEST_F(Segment, one_file_of_3mf_has_all_parts)
