@@ -60,6 +60,8 @@ protected:
                       "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
     write("twice.off", "OFF\n7 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n9 9 9\n-1 0 0\n0 -1 0\n"
                        "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 3 2\n");
+    write("cap.off", "OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0.5 0 -1e-15\n"
+                     "3 0 2 4\n3 2 1 4\n3 0 4 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
     write("nothing.off", "OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n");
     Cubes cubes = dumbbell();
     write("dumbbell.off", cubes.off());
@@ -98,6 +100,7 @@ protected:
                                  "check tube.off --json -",
                                  "check twice.off --json -",
                                  "check nothing.off --json -",
+                                 "check cap.off --json -",
                                  "batch dumbbell.off nothing.off missing.off"})
       take_printed(arguments);
     for(const char* name : {"cactus.off", "eight.off", "homer.off"})
