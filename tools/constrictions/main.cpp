@@ -259,7 +259,7 @@ int write_handles(const Options& options, const Report& report, const Handle_rem
   std::vector<Output_file> files;
   try
   {
-    files.push_back({name, without_handles_as_file(removal, format)});
+    files.push_back({name, without_handles_as_file(removal, format, report.file.unit)});
   }
   catch(const std::range_error& e)
   {
@@ -439,6 +439,7 @@ int run(const Options& options)
     const auto detected = std::chrono::steady_clock::now();
     Parts parts = segment_mesh(report.mesh, report.constrictions, options.segmentation);
     parts.format = options.segmentation.format;
+    parts.unit = report.file.unit;
     parts.seconds = seconds_since(detected);
     report.seconds.total = seconds_since(begin);
     write_parts(options, report, parts);

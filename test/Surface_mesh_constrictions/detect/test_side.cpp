@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -94,6 +95,74 @@ TEST(Side, TheNeckOfAHollowBottleChokesTheComplement)
       }
       EXPECT_EQ(necks, 1u);
     }
+}
+
+// Two boxes with a tube, around `middle`.
+test_meshes::Soup boxes(double scale, const test_meshes::Position& middle = {{0, 0, 0}})
+{
+  test_meshes::Soup soup = test_meshes::boxes_with_tube(2);
+  for(test_meshes::Position& p : soup.points)
+    p = {{(p[0] - 3) * scale + middle[0], (p[1] - 1.5) * scale + middle[1], (p[2] - 1.5) * scale + middle[2]}};
+  return soup;
+}
+
+// A box from -size to size in each direction.
+test_meshes::Soup box_around_origin(int size)
+{
+  test_meshes::Soup soup = test_meshes::box(2 * size, 2 * size, 2 * size);
+  for(test_meshes::Position& p : soup.points)
+    for(double& x : p)
+      x -= size;
+  return soup;
+}
+
+std::vector<SMC::Side> sides_by_length(const test_meshes::Soup& soup)
+{
+  std::vector<Constriction> found = detect(test_meshes::make_mesh(soup));
+  std::sort(found.begin(), found.end(),
+            [](const Constriction& a, const Constriction& b) { return a.length() < b.length(); });
+  std::vector<SMC::Side> result;
+  for(const Constriction& c : found)
+    result.push_back(c.side());
+  return result;
+}
+
+// The sides of the constrictions of these surfaces together, which do not depend on which way all normals point.
+void expect_sides(const std::vector<test_meshes::Soup>& surfaces, const std::vector<SMC::Side>& expected)
+{
+  test_meshes::Soup soup;
+  for(const test_meshes::Soup& s : surfaces)
+    soup = test_meshes::joined(soup, s, 0);
+  EXPECT_EQ(sides_by_length(soup), expected);
+  EXPECT_EQ(sides_by_length(test_meshes::inside_out(soup)), expected);
+}
+
+TEST(Side, TheNeckOfACavityChokesTheComplement)
+{
+  const SMC::Side object = SMC::Side::OBJECT, complement = SMC::Side::COMPLEMENT;
+  using test_meshes::inside_out;
+  expect_sides({box_around_origin(4), inside_out(boxes(1))}, {complement});
+  // the outer surface comes last, and has a neck itself
+  expect_sides({inside_out(boxes(0.2, {{-2, 0, 0}})), boxes(1)}, {complement, object});
+  // a solid in the cavity of another one
+  expect_sides({boxes(1), box_around_origin(5), inside_out(box_around_origin(4))}, {object});
+  // a solid in a surface of the same orientation
+  expect_sides({box_around_origin(4), boxes(1)}, {object});
+}
+
+// Files have solids whose normals point inside beside others whose normals do not.
+TEST(Side, WhatIsNotEnclosedIsNoCavity)
+{
+  const SMC::Side object = SMC::Side::OBJECT;
+  using test_meshes::inside_out;
+  expect_sides({box_around_origin(2), inside_out(boxes(0.5, {{9, 0, 0}}))}, {object});
+  // between two boxes, and so in the bounding box: beside their tube, above it and below it
+  for(const test_meshes::Position& middle : {test_meshes::Position{{0, 1, 0}}, {{0, 0, 1}}, {{0, 0, -1}}})
+    expect_sides({inside_out(boxes(0.1, middle)), boxes(1)}, {object, object});
+  // in a box with a hole
+  test_meshes::Soup open = box_around_origin(4);
+  open.faces.pop_back();
+  expect_sides({open, inside_out(boxes(1))}, {object});
 }
 
 TEST(Side, TheSpannedSurfaceIsOnTheSideOfGeneratedMeshes)

@@ -251,6 +251,7 @@ inline std::string object_3mf(const Soup& soup, const std::string& id)
   return out.str();
 }
 
+// A model in inches.
 inline std::string model_3mf(const std::string& objects, const std::string& items)
 {
   return "<?xml version=\"1.0\"?>\n<model unit=\"inch\" xmlns="
@@ -268,6 +269,22 @@ inline std::string archive_3mf(const std::string& model, const std::vector<const
       {"3D/model.model", model}};
   entries.insert(entries.end(), others.begin(), others.end());
   return constrictions::zip_of(entries);
+}
+
+// What a mesh file holds, with the numbers as another unit.
+inline std::string in_3mf(const std::string& mesh_file, const std::string& unit)
+{
+  const Mesh mesh = constrictions::read_mesh_file(mesh_file);
+  Soup soup;
+  for(Mesh::Vertex_index v : mesh.vertices())
+    soup.points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
+  for(Mesh::Face_index f : mesh.faces())
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    soup.triangles.push_back({mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
+  }
+  return archive_3mf(
+      replaced(model_3mf(object_3mf(soup, "1"), "<item objectid=\"1\"/>"), "\"inch\"", '"' + unit + '"'));
 }
 /// @}
 

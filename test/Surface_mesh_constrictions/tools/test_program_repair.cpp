@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 // The commands on meshes that have to be repaired.
@@ -299,6 +300,58 @@ TEST_F(Program_repair, volumes_far_from_the_origin)
   ASSERT_EQ(volumes[1].size(), 2u);
   for(std::size_t i = 0; i < 2; ++i)
     EXPECT_NEAR(volumes[1][i] * 1e12, volumes[0][i], 1e-3 * volumes[0][i]);
+}
+
+// An octahedron with two vertices that are one but for rounding, and two triangles between them.
+TEST_F(Program_repair, check_tells_of_triangles_of_almost_no_height)
+{
+  const auto checked = [&](const std::string& arguments) {
+    const Result r = run("check " + arguments + " --json check.json");
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    Json slivers;
+    for(const Json& finding : Json::parse(content("check.json")).at("findings"))
+      if(finding.at("kind") == "slivers")
+        slivers = finding;
+    return std::make_pair(r.out, slivers);
+  };
+  const std::string octahedron = "1 0 0\n0 1 0\n0 0 1.5\n-1 0 0\n0 -1 0\n0 0 -0.25\n";
+  const std::string faces =
+      "3 0 1 2\n3 1 3 2\n3 3 4 2\n3 4 6 2\n3 1 0 5\n3 3 1 5\n3 4 3 5\n3 6 4 5\n3 5 0 6\n3 0 2 6\n";
+  write("needles.off", "OFF\n7 10 0\n" + octahedron + "1 -1e-15 0.5e-15\n" + faces);
+  const auto [text, needles] = checked("needles.off");
+  EXPECT_NE(text.find("\n2 triangles of almost no height\n    the worst is face 9, around 0.666667 "),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find(" 0.5, 1.03775e-15 high and 1.80278 long\n2 of these have two corners in nearly one place: "
+                      "--merge 2e-15 merges them\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(needles.at("count"), 2);
+  EXPECT_EQ(needles.at("is_repaired"), false);
+  EXPECT_EQ(needles.at("first").size(), 1u);
+  EXPECT_EQ(needles.at("first")[0].get<std::string>().rfind("the worst is face 9, ", 0), 0u) << needles;
+  EXPECT_DOUBLE_EQ(needles.at("merging_distance").get<double>(), 2e-15);
+  const auto [merged, none] = checked("needles.off --merge 2e-15");
+  EXPECT_NE(merged.find("1 vertex merged"), std::string::npos) << merged;
+  EXPECT_EQ(none, Json()) << merged;
+
+  // a vertex beside the middle of an edge: merging does not help
+  const std::string tetrahedron = "OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const std::string with_cap = "3 0 2 4\n3 2 1 4\n3 0 4 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  write("cap.off", tetrahedron + "0.5 0 -1e-15\n" + with_cap);
+  const auto [words, cap] = checked("cap.off");
+  EXPECT_NE(
+      words.find("\n1 triangle of almost no height\n    the worst is face 2, around 0.5 0 -3.33333e-16, 1e-15 high "
+                 "and 1 long\nusable\n"),
+      std::string::npos)
+      << words;
+  EXPECT_EQ(cap.at("merging_distance"), Json());
+
+  // what is thin, and what is flat
+  write("thin.off", "OFF\n7 10 0\n" + octahedron + "1 -1e-11 0\n" + faces);
+  EXPECT_EQ(checked("thin.off").second, Json());
+  write("flat.off", tetrahedron + "0.5 0 0\n" + with_cap);
+  EXPECT_EQ(checked("flat.off").second, Json());
 }
 
 TEST_F(Program_repair, check_of_what_cannot_be_used)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/program_fixture.h"
+#include "include/scene_texts.h"
 
 #include "input/mesh_file.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <gtest/gtest.h>
@@ -17,6 +19,7 @@
 #include <cstring>
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -292,6 +295,28 @@ TEST_F(Segment, a_part_with_four_boundaries_has_its_genus)
   EXPECT_EQ(boundaries, (std::multiset<int>{1, 1, 1, 1, 4}));
 }
 
+// A box with a hollow in the form of two cubes and a tube.
+TEST_F(Segment, the_neck_of_a_cavity_chokes_the_complement)
+{
+  program_fixture::Cubes cubes;
+  cubes.add_box({-1, -1, -1}, {9, 4, 4});
+  write("box.off", cubes.off());
+  constrictions::Mesh mesh = constrictions::read_mesh_file((folder / "dumbbell.off").string());
+  PMP::reverse_face_orientations(mesh);
+  mesh += constrictions::read_mesh_file((folder / "box.off").string());
+  std::ostringstream out;
+  out << mesh;
+  write("hollow.off", out.str());
+  const json j = segment("hollow.off");
+  ASSERT_EQ(j.at("curves").size(), 1u);
+  EXPECT_EQ(j.at("curves")[0].at("side"), "complement");
+  std::multiset<double> of_cavities, of_others;
+  for(const json& p : j.at("parts"))
+    (p.at("cavity").get<bool>() ? of_cavities : of_others).insert(p.at("volume").get<double>());
+  EXPECT_EQ(of_cavities, (std::multiset<double>{-29, -27}));
+  EXPECT_EQ(of_others, std::multiset<double>{250});
+}
+
 TEST_F(Segment, one_file_of_3mf_has_all_parts)
 {
   if(!CONSTRICTIONS_HAS_ZIP)
@@ -322,6 +347,35 @@ TEST_F(Segment, one_file_of_3mf_has_all_parts)
   // it is removed when parts have files of their own again
   ASSERT_EQ(run("segment " + cactus + " -o parts --quiet").exit_code, 0);
   EXPECT_FALSE(fs::exists(folder / "parts" / "parts.3mf"));
+}
+
+// A slicer that reads inches as millimetres prints parts that are 25.4 times too small.
+TEST_F(Segment, files_of_3mf_keep_the_unit_of_the_mesh)
+{
+  if(!CONSTRICTIONS_HAS_ZIP || !CONSTRICTIONS_HAS_XML)
+    GTEST_SKIP() << "expat or libzip, with which 3MF files are read, is not installed";
+  const std::string off = (folder / "dumbbell.off").string();
+  write("inches.3mf", scene_texts::in_3mf(off, "inch"));
+  const auto unit_of = [&](const std::string& mesh, const std::string& options, const char* file, const char* json_file,
+                           const json& unit_in_json) {
+    EXPECT_EQ(run("segment " + mesh + " -o parts --quiet --format 3mf" + options).exit_code, 0) << mesh;
+    EXPECT_EQ(json::parse(content(fs::path("parts") / json_file)).at("mesh").value("unit", json()), unit_in_json);
+    constrictions::File_record record;
+    const std::string name = (folder / "parts" / file).string();
+    EXPECT_NEAR(PMP::volume(constrictions::read_mesh_file(name, constrictions::Reading(), record)), 56, 1e-12);
+    return record.unit;
+  };
+  EXPECT_EQ(unit_of("inches.3mf", "", "parts.3mf", "parts.json", "inch"), "inch");
+  EXPECT_EQ(unit_of("inches.3mf", " --genus 0", "without_handles.3mf", "handles.json", "inch"), "inch");
+  EXPECT_EQ(unit_of("dumbbell.off", "", "parts.3mf", "parts.json", nullptr), "millimeter");
+  EXPECT_EQ(unit_of("dumbbell.off", " --genus 0", "without_handles.3mf", "handles.json", nullptr), "millimeter");
+
+  // lengths stay as they are
+  const json found = json::parse(run("detect inches.3mf --json -").out);
+  EXPECT_EQ(found.at("mesh").at("unit"), "inch");
+  EXPECT_EQ(found.at("constrictions").at(0).at("length"), 4);
+  EXPECT_NE(run("check inches.3mf").out.find("\nunit          inch\n"), std::string::npos);
+  EXPECT_EQ(run("check dumbbell.off").out.find("\nunit "), std::string::npos);
 }
 
 TEST_F(Segment, obj_files_name_their_part)

@@ -290,6 +290,43 @@ TEST_F(Scene_files, objects_of_3mf_are_put_into_their_places)
   expect_mesh(soup, "elsewhere.3mf", elsewhere);
 }
 
+TEST_F(Scene_files, coordinates_of_3mf_are_in_the_unit_of_its_model)
+{
+  if(!has_xml || !has_zip)
+    GTEST_SKIP() << "expat or libzip, with which 3MF files are read, is not installed";
+  constrictions::File_record record;
+  const auto measures_of = [&](const std::string& name, const std::string& content) {
+    return measures(constrictions::read_mesh_file(file(name, content), constrictions::Reading(), record));
+  };
+  const std::string in_inches = model_3mf(object_3mf(soup, "7"), "<item objectid=\"7\"/>");
+  const std::vector<double> expected = measures_of("a.off", off(soup));
+  EXPECT_EQ(record.unit, "");
+  EXPECT_EQ(measures_of("inch.3mf", archive_3mf(in_inches)), expected);
+  EXPECT_EQ(record.unit, "inch");
+  for(const char* unit : {"micron", "millimeter", "centimeter", "foot", "meter"})
+  {
+    EXPECT_EQ(measures_of("a.3mf", archive_3mf(replaced(in_inches, "inch", unit))), expected);
+    EXPECT_EQ(record.unit, unit);
+  }
+  EXPECT_EQ(measures_of("none.3mf", archive_3mf(replaced(in_inches, "unit=\"inch\" ", ""))), expected);
+  EXPECT_EQ(record.unit, "millimeter");
+
+  // 254 mm are 10 inches; where the object is put is told in the unit of the model that puts it
+  const std::string item =
+      "<item objectid=\"7\" p:path=\"/3D/parts/one.model\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/>";
+  Soup large = soup;
+  for(Position& p : large.points)
+    for(double& x : p)
+      x *= 254;
+  const std::string elsewhere = replaced(model_3mf(object_3mf(large, "7"), ""), "inch", "millimeter");
+  const std::vector<double> found =
+      measures_of("elsewhere.3mf", archive_3mf(model_3mf("", item), {{"3D/parts/one.model", elsewhere}}));
+  EXPECT_EQ(record.unit, "inch");
+  EXPECT_NEAR(found[0], 5 - 10, 1e-12);
+  EXPECT_NEAR(found[1], 5 + 10, 1e-12);
+  EXPECT_NEAR(found[2], 1000 * volume, 1e-9);
+}
+
 TEST_F(Scene_files, what_is_wrong_with_a_3mf_file_is_told)
 {
   if(!has_zip)
@@ -310,6 +347,8 @@ TEST_F(Scene_files, what_is_wrong_with_a_3mf_file_is_told)
   expect_file_error("no_model.3mf", constrictions::zip_of({{"_rels/.rels", "<a/>"}}), {"names no model"});
   expect_file_error("xml.3mf", archive_3mf("<model"), {"3D/model.model, line 1"});
   expect_file_error("root.3mf", archive_3mf("<model/>"), {"3D/model.model, line 1", "not a model of 3MF"});
+  expect_file_error("unit.3mf", archive_3mf(replaced(model_3mf(object, item), "inch", "Inch")),
+                    {"3D/model.model, line 2", "\"unit\" is \"Inch\"", "inch, foot or meter"});
   expect_file_error("item.3mf", archive_3mf(model_3mf(object, "<item objectid=\"9\"/>")), {"object 9", "none"});
   expect_file_error("loop.3mf",
                     archive_3mf(model_3mf("<object id=\"7\"><components><component objectid=\"7\"/></components>"

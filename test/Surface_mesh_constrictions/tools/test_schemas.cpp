@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "include/json_schema.h"
 #include "include/program_fixture.h"
+#include "include/scene_texts.h"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +60,8 @@ protected:
                       "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
     write("twice.off", "OFF\n7 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n9 9 9\n-1 0 0\n0 -1 0\n"
                        "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 3 2\n");
+    write("cap.off", "OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0.5 0 -1e-15\n"
+                     "3 0 2 4\n3 2 1 4\n3 0 4 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
     write("nothing.off", "OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n");
     Cubes cubes = dumbbell();
     write("dumbbell.off", cubes.off());
@@ -97,6 +100,7 @@ protected:
                                  "check tube.off --json -",
                                  "check twice.off --json -",
                                  "check nothing.off --json -",
+                                 "check cap.off --json -",
                                  "batch dumbbell.off nothing.off missing.off"})
       take_printed(arguments);
     for(const char* name : {"cactus.off", "eight.off", "homer.off"})
@@ -124,6 +128,16 @@ protected:
     }
     EXPECT_EQ(run("tighten tube.off --labels sides.txt -o labelled").exit_code, 0);
     take(json::parse(content("labelled/parts.json")));
+    if(CONSTRICTIONS_HAS_ZIP && CONSTRICTIONS_HAS_XML)
+    {
+      write("feet.3mf", scene_texts::in_3mf((folder / "dumbbell.off").string(), "foot"));
+      for(const char* arguments : {"detect feet.3mf --json -", "check feet.3mf --json -", "batch feet.3mf"})
+        take_printed(arguments);
+      EXPECT_EQ(run("segment feet.3mf -o feet --quiet").exit_code, 0);
+      take(json::parse(content("feet/parts.json")));
+      EXPECT_EQ(run("segment feet.3mf --genus 0 -o feet --quiet").exit_code, 0);
+      take(json::parse(content("feet/handles.json")));
+    }
   }
 };
 

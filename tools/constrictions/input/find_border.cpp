@@ -135,12 +135,17 @@ void find_near_vertices(const Mesh& mesh, const Border& border, const File_numbe
     return;
   findings.nearest = least;
   findings.farthest = greatest;
-  // one digit, and room for clusters that the grid has seen in part
-  const double unit = std::pow(10, std::floor(std::log10(greatest)));
-  findings.merging_distance = std::ceil(1.5 * greatest / unit) * unit;
+  findings.merging_distance = merging_distance_for(greatest);
 }
 
 } // namespace
+
+// With room for clusters of which only a part has been seen.
+double merging_distance_for(double distance)
+{
+  const double unit = std::pow(10, std::floor(std::log10(distance)));
+  return std::ceil(1.5 * distance / unit) * unit;
+}
 
 void find_border(const Mesh& mesh, const File_numbering& numbering, Mesh_findings& findings)
 {

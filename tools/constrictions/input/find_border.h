@@ -12,6 +12,9 @@ namespace constrictions {
 /// in the length of the border.
 void find_border(const Mesh& mesh, const File_numbering& numbering, Mesh_findings& findings);
 
+/// the value of `--merge`, of one digit, that merges vertices up to this far from each other
+double merging_distance_for(double distance);
+
 } // namespace constrictions
 
 #endif // CONSTRICTIONS_FIND_BORDER_H

@@ -229,6 +229,7 @@ Mesh read_mesh_file(const std::string& name, const Reading& reading, File_record
   std::string().swap(file.content); // before the mesh needs memory
 
   record = File_record();
+  record.unit = soup.unit;
   Mesh mesh;
   if(reading.merging_distance == 0)
     if(const std::optional<Corner_table> table = connect_as_it_is(soup))

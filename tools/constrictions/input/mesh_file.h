@@ -27,6 +27,7 @@ struct File_record
 {
   File_numbering numbering;
   Mesh_findings findings;
+  std::string unit; ///< of the coordinates, as 3MF names it; empty if the format has none
 };
 
 /// reads a mesh from an OFF, OBJ, PLY, STL, VTK, VTP, GLB or 3MF file, which may be gzipped, or from the standard input if

@@ -22,6 +22,7 @@ class Polygon_soup
 public:
   std::vector<Point> points;
   std::vector<Index> corners; ///< of one face after the other
+  std::string unit;           ///< of the coordinates, as 3MF names it; empty if the format has none
 
   /// makes a face of the corners that have been added since the last one.
   void end_face()

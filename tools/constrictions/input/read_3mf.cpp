@@ -34,10 +34,21 @@ struct Object
   std::vector<Placed> components;
 };
 
+// What the coordinates of a model are in.
+struct Unit
+{
+  std::string_view name;
+  double microns;
+};
+
+const std::array<Unit, 6> units = {
+    {{"micron", 1}, {"millimeter", 1e3}, {"centimeter", 1e4}, {"inch", 25400}, {"foot", 304800}, {"meter", 1e6}}};
+
 struct Model
 {
   std::map<std::string, Object> objects;
   std::vector<Placed> build;
+  Unit unit = units[1]; // if it names none
 };
 
 // Elements in the namespace of the format, and none of extensions.
@@ -60,7 +71,9 @@ public:
     }
     ++m_depth;
     const std::string_view kind = name.substr(core.size());
-    if(kind == "object")
+    if(kind == "model" && m_depth == 1)
+      m_model.unit = unit(element);
+    else if(kind == "object")
       m_object = &m_model.objects[std::string(required(element, "id"))];
     else if(m_object != nullptr && kind == "vertex")
       m_object->points.emplace_back(number<double>(element, "x"), number<double>(element, "y"),
@@ -99,6 +112,18 @@ private:
     if(!Text_scanner::parse(word, result))
       throw Xml_failure{constrictions::quoted(name) + " is " + constrictions::quoted(word) + ", not a number"};
     return result;
+  }
+
+  static Unit unit(const Xml_element& element)
+  {
+    const std::optional<std::string_view> word = element.attribute("unit");
+    if(!word)
+      return Model().unit;
+    for(const Unit& u : units)
+      if(u.name == *word)
+        return u;
+    throw Xml_failure{"\"unit\" is " + constrictions::quoted(*word) +
+                      ", not micron, millimeter, centimeter, inch, foot or meter"};
   }
 
   static Placed placed(const Xml_element& element)
@@ -149,7 +174,9 @@ public:
     read_xml(m_file, m_archive.content(list), list + ", ", true, relations);
     if(relations.model.empty())
       m_file.fail("not a 3MF file: " + list + " names no model");
-    for(const Placed& item : model(relations.model).build)
+    const Model& root = model(relations.model);
+    m_soup.unit = root.unit.name;
+    for(const Placed& item : root.build)
       add(item, relations.model, Affine_map(), 0);
     return std::move(m_soup);
   }
@@ -173,6 +200,15 @@ private:
     return found->second;
   }
 
+  // From coordinates in one unit to those in another. It is exact for points if both are the same.
+  static Affine_map scaling(const Unit& from, const Unit& to)
+  {
+    Affine_map result;
+    for(std::size_t i = 0; i < 3; ++i)
+      result.columns[i][i] = from.microns / to.microns;
+    return result;
+  }
+
   void add(const Placed& placed, const std::string& model_of_parent, const Affine_map& map_of_parent, std::size_t depth)
   {
     const std::string& file = placed.model.empty() ? model_of_parent : placed.model;
@@ -184,7 +220,8 @@ private:
     const std::size_t deepest = 100, most = 1000000;
     if(depth > deepest || ++m_placed > most)
       m_file.fail(place + "it is inside itself, or there are too many");
-    const Affine_map map = map_of_parent.after(placed.map);
+    // where it is put is in the unit of the parent, its points are in that of its own model
+    const Affine_map map = map_of_parent.after(placed.map).after(scaling(in.unit, model(model_of_parent).unit));
     add_mesh(found->second, map, place);
     for(const Placed& component : found->second.components)
       add(component, file, map, depth + 1);

@@ -30,7 +30,8 @@ Polygon_soup read_vtp(const Input_file& file);
 Polygon_soup read_glb(const Input_file& file);
 
 /// The objects that are to be built, each where the build puts it, in that order; those made of components likewise.
-/// Points are moved in doubles.
+/// Points are moved in doubles. Coordinates are in the unit of the model with the build; those of a model in another file
+/// of the archive are scaled if its unit is another one.
 Polygon_soup read_3mf(const Input_file& file);
 
 /// Corners with the same coordinates are one vertex; vertices are numbered as they appear.

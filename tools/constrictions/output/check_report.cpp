@@ -36,6 +36,8 @@ std::string check_as_text(const Check_report& report)
     const Json mesh = mesh_as_json(report.mesh_file, report.mesh, report.file);
     for(const char* member : {"vertices", "faces", "triangles", "components", "genus", "holes", "border_edges", "area"})
       out << std::left << std::setw(14) << member << mesh[member] << '\n';
+    if(!report.file.unit.empty())
+      out << std::left << std::setw(14) << "unit" << report.file.unit << '\n';
   }
   const auto list = [&](const std::string& title, const std::vector<std::string>& places, std::size_t count) {
     out << title << '\n';
@@ -53,6 +55,13 @@ std::string check_as_text(const Check_report& report)
         << findings.merging_distance << " merges them\n";
   if(report.flat_triangles > 0)
     out << report.flat_triangles << (report.flat_triangles == 1 ? " triangle" : " triangles") << " without area\n";
+  const Slivers& slivers = report.slivers;
+  if(slivers.number > 0)
+    out << slivers.number << (slivers.number == 1 ? " triangle" : " triangles") << " of almost no height\n    "
+        << slivers.worst << '\n';
+  if(slivers.with_near_corners > 0)
+    out << slivers.with_near_corners << " of these " << (slivers.with_near_corners == 1 ? "has" : "have")
+        << " two corners in nearly one place: --merge " << slivers.merging_distance << " merges them\n";
   if(report.self_intersections > 0)
     list(std::to_string(report.self_intersections) +
              (report.self_intersections == 1 ? " pair of triangles intersects" : " pairs of triangles intersect"),
@@ -81,6 +90,12 @@ std::string check_as_json(const Check_report& report)
                     {"count", report.flat_triangles},
                     {"is_repaired", false},
                     {"first", Json::array()}});
+  if(report.slivers.number > 0)
+    list.push_back({{"kind", "slivers"},
+                    {"count", report.slivers.number},
+                    {"is_repaired", false},
+                    {"first", Json::array({report.slivers.worst})},
+                    {"merging_distance", number_or_null(report.slivers.merging_distance)}});
   if(report.self_intersections > 0)
     list.push_back({{"kind", "self_intersections"},
                     {"count", report.self_intersections},

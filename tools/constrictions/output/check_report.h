@@ -10,6 +10,15 @@
 
 namespace constrictions {
 
+/// Triangles of almost no height that are not flat.
+struct Slivers
+{
+  std::size_t number = 0;
+  std::string worst;                 ///< words for the one of the least height; empty if there is none
+  std::size_t with_near_corners = 0; ///< those with two corners that are as near to each other
+  double merging_distance = 0;       ///< the value of `--merge` that merges such corners; 0 if there are none
+};
+
 /// What is wrong with a mesh file.
 struct Check_report
 {
@@ -20,7 +29,8 @@ struct Check_report
   std::size_t self_intersections = 0;           ///< pairs of triangles
   std::vector<std::string> first_intersections; ///< the first of them
   std::size_t flat_triangles = 0;               ///< triangles without area
-  bool is_inside_out = false;                   ///< whether the mesh is closed and its normals point inside
+  Slivers slivers;
+  bool is_inside_out = false; ///< whether the mesh is closed and its normals point inside
 };
 
 /// the report as lines for reading

@@ -40,12 +40,13 @@ std::string without_handles_file_name(Part_format format)
   return "without_handles." + part_format_names()[static_cast<std::size_t>(format)];
 }
 
-std::string without_handles_as_file(const Handle_removal& removal, Part_format format)
+std::string without_handles_as_file(const Handle_removal& removal, Part_format format, const std::string& unit)
 {
   Parts parts;
   parts.parts.resize(1);
   parts.parts[0].mesh = removal.mesh;
   parts.format = format;
+  parts.unit = unit;
   return part_as_file(parts, 0);
 }
 

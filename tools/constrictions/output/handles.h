@@ -32,7 +32,8 @@ struct Handle_removal
 std::string without_handles_file_name(Part_format format);
 
 /// the content of that file, of which `part_as_file()` tells what the formats can hold
-std::string without_handles_as_file(const Handle_removal& removal, Part_format format);
+/// \param unit of the coordinates, as in `Parts`
+std::string without_handles_as_file(const Handle_removal& removal, Part_format format, const std::string& unit);
 
 /// what has been done in the format "constrictions-handles/1", in one line
 std::string handles_as_json(const Report& report, const Handle_removal& removal, Part_format format);

@@ -21,16 +21,19 @@ nlohmann::ordered_json mesh_as_json(const std::string& file, const Mesh& mesh, c
   const std::int64_t euler_characteristic = std::int64_t(mesh.number_of_vertices()) -
                                             std::int64_t(mesh.number_of_edges()) +
                                             std::int64_t(mesh.number_of_faces()) + std::int64_t(holes);
-  return {{"file", file},
-          {"vertices", record.numbering.vertices},
-          {"faces", record.numbering.faces},
-          {"triangles", mesh.number_of_faces()},
-          {"components", components},
-          {"genus", std::int64_t(components) - euler_characteristic / 2},
-          {"holes", holes},
-          {"border_edges", record.findings.count(Finding::BORDER_EDGES)},
-          {"area", PMP::area(mesh)},
-          {"repairs", repairs_as_json(record.findings)}};
+  nlohmann::ordered_json result = {{"file", file},
+                                   {"vertices", record.numbering.vertices},
+                                   {"faces", record.numbering.faces},
+                                   {"triangles", mesh.number_of_faces()},
+                                   {"components", components},
+                                   {"genus", std::int64_t(components) - euler_characteristic / 2},
+                                   {"holes", holes},
+                                   {"border_edges", record.findings.count(Finding::BORDER_EDGES)},
+                                   {"area", PMP::area(mesh)},
+                                   {"repairs", repairs_as_json(record.findings)}};
+  if(!record.unit.empty())
+    result["unit"] = record.unit;
+  return result;
 }
 
 nlohmann::ordered_json repairs_as_json(const Mesh_findings& findings)

@@ -13,7 +13,8 @@
 
 namespace constrictions {
 
-/// the member "mesh" of the program's JSON objects. Vertices and faces are counted as in the file.
+/// the member "mesh" of the program's JSON objects. Vertices and faces are counted as in the file. The unit of lengths
+/// is told if the format has one.
 nlohmann::ordered_json mesh_as_json(const std::string& file, const Mesh& mesh, const File_record& record);
 
 /// the repairs, by name: the number of what was mended

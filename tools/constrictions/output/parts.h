@@ -51,6 +51,7 @@ struct Parts
   std::vector<std::optional<std::size_t>> border_from;
   double seconds = 0;
   Part_format format = Part_format::PLY; ///< of the files of the parts
+  std::string unit;                      ///< of the coordinates, as 3MF names it; empty if it is not known
 };
 
 /// the name of the file of a part, which in some formats is that of all parts
@@ -69,8 +70,9 @@ std::vector<std::string> part_files_of_earlier_run(const std::string& folder);
 /// throws `std::runtime_error` if the program was built without libzip.
 std::string part_as_file(const Parts& parts, std::size_t part);
 
-/// the parts as a 3MF file: an object `part_N` for each, in its colour, with all digits of the coordinates, which count
-/// as millimetres. Throws `std::runtime_error` if the program was built without libzip.
+/// the parts as a 3MF file: an object `part_N` for each, in its colour, with all digits of the coordinates, in their
+/// unit; if that is not known they count as millimetres. Throws `std::runtime_error` if the program was built without
+/// libzip.
 std::string parts_as_3mf(const Parts& parts);
 
 /// the parts in the format "constrictions-parts/1", in one line

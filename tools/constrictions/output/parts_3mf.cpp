@@ -49,8 +49,9 @@ std::string parts_as_3mf(const Parts& parts)
 {
   std::ostringstream model;
   model.precision(17);
-  model << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-           "<model unit=\"millimeter\" xml:lang=\"en\" "
+  model << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\""
+        << (parts.unit.empty() ? "millimeter" : parts.unit)
+        << "\" xml:lang=\"en\" "
            "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
            "<metadata name=\"Application\">constrictions</metadata>\n"
            "<resources>\n"

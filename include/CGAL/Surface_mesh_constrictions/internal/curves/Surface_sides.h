@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/curves/Trace.h>
 #include <CGAL/Surface_mesh_constrictions/internal/curves/path_beside_curve.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Surface_cycles.h>
+#include <CGAL/Surface_mesh_constrictions/internal/surface/outward_signs.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/vectors.h>
 
 #include <CGAL/number_utils.h>
@@ -63,20 +64,8 @@ constexpr double empty_side_tolerance = 1e-9;
 class Surface_sides
 {
 public:
-  // Linear.
-  explicit Surface_sides(const Progressive_mesh& pm) : m_pm(pm), m_cycles(pm)
-  {
-    Index component = null_index;
-    double* volume = nullptr;
-    for(Index f = 0; f < pm.number_of_face_ids(); ++f)
-      if(pm.is_face(f))
-      {
-        if(component != m_cycles.component(f))
-          volume = &m_volume[component = m_cycles.component(f)];
-        const auto& origin = pm.point(pm.source(3 * component));
-        *volume += dot(vector(origin, pm.point(pm.source(3 * f))), normal(pm, f));
-      }
-  }
+  // Linear, but for what `outward_signs()` says.
+  explicit Surface_sides(const Progressive_mesh& pm) : m_pm(pm), m_cycles(pm), m_outward(outward_signs(pm, m_cycles)) {}
 
   // The curve is moved to its left, to the next vertices, and the area between is measured. O(n + (n + g) log n) for n
   // points and genus g.
@@ -190,7 +179,7 @@ public:
   // The same for a curve of the surface `with`, which is this one with vertices more; `face` is one of its component.
   Side choked_side(const Progressive_mesh& with, const std::vector<Trace_point>& trace, Index face) const
   {
-    const double outward = m_volume.at(m_cycles.component(face)) >= 0 ? 1 : -1; // the sign of the normals
+    const int outward = m_outward.at(m_cycles.component(face));
     double inwards = 0, outwards = 0;
     const std::size_t n = trace.size();
     for(std::size_t i = 0; i < n; ++i)
@@ -257,7 +246,7 @@ private:
 
   const Progressive_mesh& m_pm;
   Surface_cycles m_cycles;
-  std::unordered_map<Index, double> m_volume; // six times that of a component, by the face that stands for it
+  std::unordered_map<Index, int> m_outward;
 };
 
 } // namespace internal
