@@ -308,8 +308,9 @@ TEST_F(Program_repair, check_tells_of_triangles_of_almost_no_height)
   const auto checked = [&](const std::string& arguments) {
     const Result r = run("check " + arguments + " --json check.json");
     EXPECT_EQ(r.exit_code, 0) << r.err;
+    const Json report = Json::parse(content("check.json"));
     Json slivers;
-    for(const Json& finding : Json::parse(content("check.json")).at("findings"))
+    for(const Json& finding : report.at("findings"))
       if(finding.at("kind") == "slivers")
         slivers = finding;
     return std::make_pair(r.out, slivers);
