@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Curve_settler.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/String_puller.h>
 #include <CGAL/Surface_mesh_constrictions/internal/tighten/Tightener.h>
+#include <CGAL/Surface_mesh_constrictions/internal/tighten/tighten_paths.h>
 #include <CGAL/Surface_mesh_constrictions/parameters.h>
 #include <CGAL/Surface_mesh_constrictions/tighten_closed_curve.h>
 
@@ -509,6 +510,55 @@ TEST(Tightening, DirectionAndStartDoNotMatter)
     EXPECT_NEAR(result.curve.length(), rotated.curve.length(), 1e-12);
     EXPECT_NEAR(result.curve.length(), reversed.curve.length(), 1e-12);
   }
+}
+
+// On a grid of squares many pivots are equally sharp.
+TEST(Tightening, AmongEquallySharpPivotsDirectionAndStartDoNotMatter)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::boxes_with_tube(4));
+  for(unsigned seed = 0; seed < 40; ++seed)
+  {
+    Loop loop = random_loop(mesh, seed);
+    const auto result = tighten_closed_curve(mesh, loop);
+    for(std::size_t i = 0; i < loop.size(); ++i)
+    {
+      std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+      Loop reversed(loop.rbegin(), loop.rend());
+      for(const Loop& l : {loop, reversed})
+      {
+        const auto other = tighten_closed_curve(mesh, l);
+        ASSERT_EQ(result.verdict, other.verdict) << seed << ' ' << i;
+        ASSERT_NEAR(result.curve.length(), other.curve.length(), 1e-12) << seed << ' ' << i;
+      }
+    }
+  }
+}
+
+// The paths of edges are in one network, in which each is tightened after those before it.
+TEST(Tightening, TheOrderOfPathsDoesNotMatter)
+{
+  const Mesh mesh = test_meshes::make_mesh(test_meshes::boxes_with_tube(4));
+  const SMC::Progressive_mesh pm = test_meshes::make_progressive(test_meshes::boxes_with_tube(4));
+  std::vector<std::vector<Index>> paths;
+  for(unsigned seed = 0; seed < 100; ++seed)
+  {
+    std::vector<Index> path;
+    for(auto v : random_loop(mesh, seed))
+      path.push_back(static_cast<Index>(v));
+    paths.push_back(path);
+  }
+  const auto ends = [&pm, &paths](bool is_reversed) {
+    SMC::internal::Curve_network network(pm, false);
+    SMC::internal::tighten_paths<CGAL::Sequential_tag>(
+        paths.size(), [&](std::size_t i) { return paths[is_reversed ? paths.size() - 1 - i : i]; }, network);
+    std::multiset<std::uint64_t> result;
+    for(Index c = 0; c < network.number_of_curve_ids(); ++c)
+      if(!network.is_empty(c))
+        result.insert(network.curve(c).hash);
+    return result;
+  };
+  EXPECT_GT(ends(false).size(), 1u);
+  EXPECT_EQ(ends(false), ends(true));
 }
 
 TEST(Tightening, NeverLengthensAndEndsInASimpleClosedGeodesic)

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -90,11 +91,12 @@ public:
       m_network.renew_stamp(arc);
       return;
     }
-    const Side_angles angles = side_angles(m_network.surface(), m_network.arc(m_network.previous(arc)),
-                                           m_network.arc(arc), [this](Index h) { return corner(h); });
+    const Arc &incoming = m_network.arc(m_network.previous(arc)), &outgoing = m_network.arc(arc);
+    const Side_angles angles =
+        side_angles(m_network.surface(), incoming, outgoing, [this](Index h) { return corner(h); });
     const Index stamp = m_network.renew_stamp(arc);
     if((std::min)(angles.left, angles.right) < CGAL_PI - angle_tolerance)
-      m_queue.push(Entry{angles, arc, stamp});
+      m_queue.push(Entry{angles, from, incoming.from + outgoing.to, arc, stamp, incoming.from < outgoing.to});
   }
 
   void enqueue_all(Index curve)
@@ -120,7 +122,7 @@ public:
       if(m_network.stamp(entry.arc) != entry.stamp)
         continue;
       const Index curve = m_network.node(entry.arc).curve;
-      const Curve_side sharper = entry.angles.left <= entry.angles.right ? Curve_side::LEFT : Curve_side::RIGHT;
+      const Curve_side sharper = entry.sharper_side();
       const bool is_changed = reroute(entry.arc, sharper) ||
                               ((std::max)(entry.angles.left, entry.angles.right) < CGAL_PI - angle_tolerance &&
                                reroute(entry.arc, other_side(sharper)));
@@ -130,16 +132,28 @@ public:
   }
 
 private:
-  // The pivot at which an arc starts, as it was when the arc had this stamp.
+  // The pivot at which an arc starts, as it was when the arc had this stamp. On a symmetric surface many pivots are
+  // equally sharp but for rounding. Then their vertices decide, and not the ids of the arcs, which tell where a curve
+  // has been.
   struct Entry
   {
     Side_angles angles;
+    Index vertex, neighbours; // the pivot, and the sum of those before and after it
     Index arc, stamp;
+    bool is_ascending; // the pivot before is less than the one after
 
-    double sharpness() const { return (std::min)(angles.left, angles.right); }
+    float sharpness() const { return static_cast<float>((std::min)(angles.left, angles.right)); }
+
+    Curve_side sharper_side() const
+    {
+      const float left = static_cast<float>(angles.left), right = static_cast<float>(angles.right);
+      return left < right || (left == right && is_ascending) ? Curve_side::LEFT : Curve_side::RIGHT;
+    }
+
     friend bool operator<(const Entry& a, const Entry& b) // the top of the queue is the greatest
     {
-      return a.sharpness() != b.sharpness() ? a.sharpness() > b.sharpness() : a.arc > b.arc;
+      return std::make_tuple(a.sharpness(), a.vertex, a.neighbours, a.arc) >
+             std::make_tuple(b.sharpness(), b.vertex, b.neighbours, b.arc);
     }
   };
 
