@@ -45,7 +45,7 @@ struct Ends_of_paths
 template <class ConcurrencyTag, class PathOf>
 std::vector<std::size_t> tighten_paths(std::size_t number_of_paths, const PathOf& path_of, Curve_network& ends)
 {
-  const std::size_t group_size = 64;
+  const std::size_t group_size = 512;
   const Progressive_mesh& surface = ends.surface();
   const Length_unit unit(surface);
   const Corner_angles angles(surface);
