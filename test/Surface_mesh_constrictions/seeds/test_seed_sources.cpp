@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_constrictions/cut_locus_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/detect_constrictions.h>
 #include <CGAL/Surface_mesh_constrictions/internal/seeds/Sections.h>
+#include <CGAL/Surface_mesh_constrictions/internal/seeds/find_seeds.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Edge_graph.h>
 #include <CGAL/Surface_mesh_constrictions/internal/surface/Shortest_path_tree.h>
 #include <CGAL/Surface_mesh_constrictions/section_seeds.h>
@@ -355,6 +356,26 @@ TEST(SeedSources, SeveralGiveWhatEachGives)
   EXPECT_GT(triangles.seeds, 0u);
   EXPECT_GT(loops.seeds, 0u);
   EXPECT_EQ(both.seeds, triangles.seeds + loops.seeds);
+}
+
+// It is found again when a corner has moved, maybe from another corner. Loops of other sources are none of it.
+TEST(RepeatedTriangles, OnFineLevelsATriangleIsOneSeedHoweverOftenItIsFound)
+{
+  SMC::internal::Repeated_triangles repeated;
+  std::vector<Seed_curve> seeds = {{0, {1, 2, 3}, Seed_origin::NON_FACE_TRIANGLE},
+                                   {0, {1, 2, 4}, Seed_origin::NON_FACE_TRIANGLE}};
+  repeated.remove(seeds, 0, 1200);
+  EXPECT_EQ(seeds.size(), 2u);
+  seeds.push_back({200, {3, 1, 2}, Seed_origin::NON_FACE_TRIANGLE});
+  seeds.push_back({200, {1, 2, 3}, Seed_origin::CUT_LOCUS});
+  seeds.push_back({200, {2, 3, 4}, Seed_origin::NON_FACE_TRIANGLE});
+  repeated.remove(seeds, 2, 1000);
+  ASSERT_EQ(seeds.size(), 4u);
+  EXPECT_EQ(seeds[2].origin, Seed_origin::CUT_LOCUS);
+  EXPECT_EQ(seeds[3].vertices, (std::vector<Index>{2, 3, 4}));
+  seeds.push_back({201, {2, 3, 1}, Seed_origin::NON_FACE_TRIANGLE});
+  repeated.remove(seeds, 4, 999);
+  EXPECT_EQ(seeds.size(), 5u);
 }
 
 TEST(SeedSources, EverySeedIsAccountedFor)
